@@ -29,8 +29,10 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.aggregate.layer_shares import BARE, COVERED, LIT, layer_rates
+from loomlight.aggregate.layered_albedos import SEEN_NUMBERS, LayeredAlbedos, SeenNumbers
 from loomlight.aggregate.tables import Entries, PairedEntries, SingleEntries
-from loomlight.core.arrays import Float, Mask, UInt, Vec2
+from loomlight.core.arrays import Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, move, opaque, upload
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import ALBEDO_NAMES, Appearance, FamilyAppearance
@@ -39,8 +41,8 @@ from loomlight.scattering.interreflection import Interreflection
 from loomlight.scattering.point import Albedos
 from loomlight.yarn.cells import Cell, upload_family
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.layout import ClothLayout, Layer
-from loomlight.yarn.stack import ClothGeometry
+from loomlight.yarn.layout import Layer
+from loomlight.yarn.stack import ClothGeometry, StackedGeometry
 from loomlight.yarn.threads import FamilyTables, place_family
 
 _NUMBERS = 3 * len(ALBEDO_NAMES)
@@ -89,7 +91,7 @@ class FootprintAlbedos:
         else:
             layers = zip(geometry.layers, geometry.layout.layers, strict=True)
             self.planes = [Plane.of(own, appearance, layer) for own, layer in layers]
-            self.seen = Seen.of(geometry.layout, self.planes, appearance)
+            self.seen = Seen.of(geometry, self.planes, appearance)
         self.tables = self.planes[0].tables
         self._uploaded: dict[type, list[_Uploaded]] = {}
         self._shares: dict[type, _Shares] = {}
@@ -123,14 +125,29 @@ class FootprintAlbedos:
     def over(self, footprint: Footprint, back: Mask) -> tuple[Albedos, Albedos]:
         """Mean albedos of (warp, weft) over footprints, as their axis-aligned boxes: Color3 each, 0 to 1.
 
+        Of layered cloth as views and lights along its normal show them.
+
         Args:
             back: Bool, the footprint is seen from behind.
         """
+        if self.seen is None:
+            types = array_types(footprint.centre)
+            self.upload(types)
+            return self.shown(*self._uploaded[types.Float][0].over(footprint, types.Bool(back)))
+        types = array_types(footprint.centre)
+        return self.layered(footprint, types.Vector3(0, 0, 1), back).albedos
+
+    def layered(self, footprint: Footprint, view: Vec3, back: Mask) -> LayeredAlbedos:
+        """Mean albedos of layered cloth over footprints, as one view of each shows them.
+
+        Args:
+            view: unit vector [3] in the frame of the face that is seen.
+        """
         types = array_types(footprint.centre)
         self.upload(types)
-        back = types.Bool(back)
+        back, shares = types.Bool(back), self._shares[types.Float]
         planes = [self.shown(*plane.over(footprint, back)) for plane in self._uploaded[types.Float]]
-        return planes[0] if len(planes) == 1 else self._shares[types.Float].over(planes, footprint, back)
+        return LayeredAlbedos(shares.numbers, planes, shares.stacks(footprint), view, back)
 
     def shown(self, warp: Albedos, weft: Albedos) -> tuple[Albedos, Albedos]:
         """Means of the tables over threads of one plane as a model takes them; derived classes put theirs."""
@@ -165,7 +182,7 @@ class Plane:
         families: where threads of warp and weft lie.
         tables: colours of the warp and of the weft.
         start: where the first of their cells begins, x and y, millimetres.
-        shares: of its area, as much shows each family [2 faces, 2 families].
+        shares: of what shows of it alone, as much is each family [2 faces, 2 families].
     """
 
     families: tuple[FamilyTables, FamilyTables]
@@ -188,11 +205,14 @@ class Plane:
         )
         across, along = 1 - geometry.layout.warp.open_share, 1 - geometry.layout.weft.open_share
         up = float(on_top.mean())
-        shares = [
-            [across * (1 - along + along * warps), along * (1 - across + across * (1 - warps))]
-            for warps in (up, 1 - up)
-        ]
-        return cls((warp, weft), tables, start, np.array(shares))
+        shown = np.array(
+            [
+                [across * (1 - along + along * warps), along * (1 - across + across * (1 - warps))]
+                for warps in (up, 1 - up)
+            ]
+        )
+        shares = shown / np.maximum(shown.sum(axis=1, keepdims=True), 1e-9)
+        return cls((warp, weft), tables, start, shares)
 
 
 @dataclass(eq=False)
@@ -200,52 +220,47 @@ class Seen:
     """How much of layered cloth each layer shows, and what the layers behind it make of light.
 
     Attributes:
-        areas: shares of the area, in each stack of layers [stacks, layers, 2 faces, 2 families].
-        through: share of the light that passes a layer which the others behind it let out [stacks, layers,
-            2 faces, 3].
-        returned: albedo that they add to what is reflected [stacks, layers, 2 faces, 2 families, 3].
+        rates: see `layer_rates` [stacks, layers, 2 faces, 2 families, `RATES`, 2, `RATE_HALF`].
+        behind: where a layer has others behind it: share of the light that passes it which they let out, and
+            albedo that they add to what is reflected [stacks, layers, 2 faces, 2 families, 6].
         shares: of the cloth that each stack takes up [stacks].
         axes: where threads of the whole draft lie, without gaps.
         regions: summed areas of each stack, units of `unit` square millimetres [picks + 1, ends + 1, padded];
             none where there is one stack.
     """
 
-    areas: NDArray[np.float64]
-    through: NDArray[np.float64]
-    returned: NDArray[np.float64]
+    rates: NDArray[np.float64]
+    behind: NDArray[np.float64]
     shares: NDArray[np.float64]
     axes: tuple[FamilyTables, FamilyTables]
     regions: NDArray[np.uint32] | None
     unit: float
 
     @classmethod
-    def of(cls, layout: ClothLayout, planes: Sequence[Plane], appearance: Appearance) -> Self:
-        """From what each layer shows by itself."""
-        stacking, count = layout.stacking, len(layout.layers)
-        ranks = np.arange(count, dtype=np.int8)[None] if stacking is None else stacking.ranks
+    def of(cls, geometry: StackedGeometry, planes: Sequence[Plane], appearance: Appearance) -> Self:
+        """From rays over the cloth, and the mean colours of its layers."""
+        layout = geometry.layout
+        rates, stacking = layer_rates(geometry, appearance), layout.stacking
         gaps = np.array([layer.layout.open_area for layer in layout.layers])
         yarns = [_mean_scattered(plane, appearance) for plane in planes]
-        areas = np.zeros((len(ranks), count, 2, 2))
-        through, returned = np.ones((len(ranks), count, 2, 3)), np.zeros((len(ranks), count, 2, 2, 3))
-        for stack, of_stack in enumerate(ranks):
+        behind = np.zeros((*rates.shape[:4], 6))
+        behind[..., :3] = 1
+        for stack, of_stack in enumerate(geometry.ranks):
             order = [int(np.flatnonzero(of_stack == rank)[0]) for rank in range(of_stack.max() + 1)]
             for face, from_face in ((0, order), (1, order[::-1])):
-                before = np.cumprod([1.0, *gaps[from_face[:-1]]])
-                areas[stack, from_face, face] = [
-                    planes[layer].shares[face] * share for layer, share in zip(from_face, before, strict=True)
-                ]
-                back, out = np.zeros(3), np.ones(3)
+                # What all layers behind send back and let out, and the share of it that is gaps.
+                back, out, free = np.zeros(3), np.ones(3), 1.0
                 for layer in from_face[::-1]:
-                    # One to and fro with what lies behind, see `interreflection.beneath`.
-                    own_back, own_through = yarns[layer]
-                    between = 1 / (1 - own_back * back)
-                    through[stack, layer, face] = (out * between).mean(axis=0)
-                    returned[stack, layer, face] = own_through**2 * back * between
-                    sheet_back, sheet_out = (part.mean(axis=0) * (1 - gaps[layer]) for part in yarns[layer])
+                    if free < 1:
+                        behind[stack, layer, face] = _from_behind(yarns[layer], back, out, free)
+                    shown = planes[layer].shares[face] * (1 - gaps[layer])
+                    sheet_back, sheet_out = (shown @ part for part in yarns[layer])
                     sheet_out = sheet_out + gaps[layer]
                     between = 1 / (1 - sheet_back * back)
                     back, out = sheet_back + sheet_out**2 * back * between, sheet_out * out * between
-        _add_ties(areas, layout, ranks)
+                    free *= float(gaps[layer])
+                # Ties of the last layer lie before all of them.
+                behind[stack, from_face[-1], face] = _from_behind(yarns[from_face[-1]], back, out, free)
         axes = tuple(
             replace(place_family(family), half_width=family.spacing / 2)
             for family in (layout.warp, layout.weft)
@@ -253,45 +268,58 @@ class Seen:
         across, along = layout.warp.spacing, layout.weft.spacing
         unit = float(across.sum() * along.sum()) / AREA_UNITS
         if stacking is None:
-            return cls(areas, through, returned, np.ones(1), (axes[0], axes[1]), None, unit)
-        regions = np.zeros((along.size + 1, across.size + 1, _padded(max(2, len(ranks)))), np.uint32)
-        for stack in range(len(ranks)):
+            return cls(rates, behind, np.ones(1), (axes[0], axes[1]), None, unit)
+        stacks = len(stacking.ranks)
+        regions = np.zeros((along.size + 1, across.size + 1, _padded(max(2, stacks))), np.uint32)
+        for stack in range(stacks):
             for part, sums in _prefix_sums(stacking.regions == stack, along, across):
                 regions[1:, 1:, stack][part] = np.rint(sums / unit).astype(np.int64).astype(np.uint32)
-        return cls(areas, through, returned, stacking.shares(), (axes[0], axes[1]), regions, unit)
+        return cls(rates, behind, stacking.shares(), (axes[0], axes[1]), regions, unit)
 
     @property
     def numbers(self) -> NDArray[np.float64]:
-        """Area, what passes, and what is added [stacks, layers, 2 faces, 2 families, 7]."""
-        passing = self.areas[..., None] * self.through[..., None, :]
-        added = self.areas[..., None] * self.returned
-        return np.concatenate([self.areas[..., None], passing, added], axis=-1)
+        """`rates`, then `behind` [stacks, layers, 2 faces, 2 families, `SEEN_NUMBERS`]."""
+        rates = self.rates.reshape(*self.rates.shape[:4], -1)
+        padding = np.zeros((*rates.shape[:4], SEEN_NUMBERS - rates.shape[-1] - 6))
+        return np.concatenate([rates, self.behind, padding], axis=-1)
+
+    @property
+    def front(self) -> NDArray[np.float64]:
+        """Weights of the albedos of each layer over all of the front, seen and lit along its normal, and of
+        those of what it lets through [layers, 2 families, 1 + 3]."""
+        rates = np.exp(self.rates[:, :, 0, :, :, 0, 0])
+        passing = rates[..., BARE, None] + rates[..., COVERED, None] * self.behind[:, :, 0, :, :3]
+        passing /= np.maximum(rates[..., BARE] + rates[..., COVERED], 1e-9)[..., None]
+        lit = self.shares[:, None, None] * rates[..., LIT]
+        weights = np.concatenate([lit[..., None], lit[..., None] * passing], axis=-1).sum(axis=0)
+        return weights / np.maximum(weights[..., 0].sum(axis=0), 1e-9)[None, :, None]
 
     def front_means(self, planes: Sequence[Plane]) -> NDArray[np.float64]:
         """Mean albedos of warp and weft over all of the front [2 families, 12]."""
-        numbers = np.tensordot(self.shares, self.numbers[:, :, 0], 1)
         albedos = np.array([[tables.mean.reshape(-1, 3) for tables in plane.tables] for plane in planes])
-        area, passing, added = numbers[..., :1], numbers[..., 1:4], numbers[..., 4:]
-        weights = np.stack([area + 0 * passing, passing, area + 0 * passing, passing], axis=2)
-        sums = (albedos * weights).sum(axis=0)
-        sums[:, 0] += added.sum(axis=0)
-        return (sums / np.maximum(area.sum(axis=0), 1e-6)[:, None]).reshape(2, -1)
+        front = self.front
+        area, passing = front[..., :1] + np.zeros(3), front[..., 1:]
+        weights = np.stack([area, passing, area, passing], axis=2)
+        return (albedos * weights).sum(axis=0).reshape(2, -1)
 
 
-def _add_ties(areas: NDArray[np.float64], layout: ClothLayout, ranks: NDArray[Any]) -> None:
-    """Changes the areas that layers show, see `Seen`, by those of ties, which cover some of them."""
-    shares = np.ones(1) if layout.stacking is None else layout.stacking.shares()
-    for tied in layout.ties:
-        families = tied.layer.layout.warp, tied.layer.layout.weft
-        own, crossed = families if tied.is_warp else families[::-1]
-        sides = own.visible_width[None], crossed.spacing[:, None]
-        places = tied.places if tied.is_warp else tied.places.T
-        covered = float((places * sides[0] * sides[1]).sum()) / (layout.size[0] * layout.size[1])
-        outermost = ranks[:, tied.over] == (ranks.max(axis=1) if tied.back else 0)
-        share = min(covered / float(shares[outermost].sum()), 1.0)
-        face, family = int(tied.back), 0 if tied.is_warp else 1
-        areas[outermost, :, face] *= 1 - share
-        areas[outermost, tied.own, face, family] += share
+def _from_behind(
+    own: tuple[NDArray[np.float64], NDArray[np.float64]],
+    back: NDArray[np.float64],
+    out: NDArray[np.float64],
+    free: float,
+) -> NDArray[np.float64]:
+    """`Seen.behind` of a layer [2 families, 6], by one to and fro with layers: see `interreflection.beneath`.
+
+    Args:
+        own: R and T of its warp and weft [2, 3] each.
+        back, out: what layers behind send back and let out [3], gaps included.
+        free: share of them that is gaps, 0 to 1.
+    """
+    covered = max(1 - free, 1e-6)
+    back, out = back / covered, (out - free) / covered
+    between = 1 / (1 - own[0] * back)
+    return np.concatenate([out * between, own[1] ** 2 * back * between], axis=1)
 
 
 def _mean_scattered(plane: Plane, appearance: Appearance) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -306,60 +334,33 @@ def _mean_scattered(plane: Plane, appearance: Appearance) -> tuple[NDArray[np.fl
 
 
 class _Shares:
-    """How much of each family a face shows of each layer, and what layers behind add, on one backend."""
+    """What layers show, on one backend."""
 
     def __init__(self, seen: Seen, types: ArrayTypes) -> None:
         self._types = types
-        self._numbers = opaque(types.Float, seen.numbers)
+        self.numbers = SeenNumbers(seen.numbers, types)
         self._axes = [_Axis(family, types) for family in seen.axes]
         self._regions = None if seen.regions is None else PairedEntries(seen.regions, types)
         self._unit = dr.opaque(types.Float, seen.unit)
-        self._of_cloth = [types.Float(float(share)) for share in seen.shares]
-
-    def over(
-        self, planes: Sequence[tuple[Albedos, Albedos]], footprint: Footprint, back: Mask
-    ) -> tuple[Albedos, Albedos]:
-        """Mean albedos of warp and weft over footprints, of those of each layer by itself."""
-        stacks = self._stacks(footprint)
-        warp, weft = (
-            self._weighed([plane[family] for plane in planes], stacks, family, back) for family in (0, 1)
-        )
-        return warp, weft
+        self._stacks = len(seen.shares)
+        self._front = opaque(types.Float, seen.front)
 
     def of_cloth(self, planes: Sequence[tuple[Albedos, Albedos]]) -> tuple[Albedos, Albedos]:
         """Mean albedos of warp and weft over all of the front."""
-        back = self._types.Bool(False)
-        warp, weft = (
-            self._weighed([plane[family] for plane in planes], self._of_cloth, family, back)
-            for family in (0, 1)
-        )
-        return warp, weft
+        found = []
+        for family in (0, 1):
+            sums = [self._types.Color3(0) for _ in ALBEDO_NAMES]
+            for plane, weights in zip(planes, self._front, strict=True):
+                area, *passing = weights[family]
+                through = self._types.Color3(*passing)
+                for number, name in enumerate(ALBEDO_NAMES):
+                    weight = through if name.endswith("transmit") else area
+                    sums[number] += weight * getattr(plane[family], name)
+            found.append(Albedos(*sums))
+        return found[0], found[1]
 
-    def _weighed(
-        self, albedos: Sequence[Albedos], stacks: Sequence[Float], family: int, back: Mask
-    ) -> Albedos:
-        types = self._types
-        area, sums = types.Float(0), [types.Color3(0) for _ in ALBEDO_NAMES]
-        for layer, of_layer in enumerate(albedos):
-            numbers = [types.Float(0)] * 7
-            for share, of_stack in zip(stacks, self._numbers, strict=True):
-                front, behind = of_stack[layer]
-                pairs = zip(behind[family], front[family], strict=True)
-                numbers = [
-                    dr.fma(share, dr.select(back, *pair), number)
-                    for number, pair in zip(numbers, pairs, strict=True)
-                ]
-            share, through, added = numbers[0], types.Color3(*numbers[1:4]), types.Color3(*numbers[4:])
-            area += share
-            sums[0] += share * of_layer.diffuse_reflect + added
-            sums[1] += through * of_layer.diffuse_transmit
-            sums[2] += share * of_layer.specular_reflect
-            sums[3] += through * of_layer.specular_transmit
-        inverse = dr.rcp(maximum(area, 1e-6))
-        return Albedos(*(total * inverse for total in sums))
-
-    def _stacks(self, footprint: Footprint) -> list[Float]:
-        """The area of each stack in footprints, in any unit."""
+    def stacks(self, footprint: Footprint) -> list[Float]:
+        """Share of each stack in footprints, 0 to 1."""
         types = self._types
         if self._regions is None:
             return [types.Float(1)]
@@ -370,7 +371,7 @@ class _Shares:
         )
         areas = _integrals(self._regions, own, other, types)
         area = own[0].lengths(*own[1:])[0] * other[0].lengths(*other[1:])[0]
-        return [clip(part * self._unit / area, 0, 1) for part in areas[: len(self._numbers)]]
+        return [clip(part * self._unit / area, 0, 1) for part in areas[: self._stacks]]
 
 
 def _of_threads(family: FamilyAppearance, threads: NDArray[np.intp]) -> FamilyAppearance:

@@ -91,6 +91,11 @@ class SeparableBsdf(FootprintBsdf):
     def albedos(self) -> FamilyAlbedos:
         """Mean albedos as the view shows them, tinted."""
 
+    def albedos_for(self, light: Vec3) -> FamilyAlbedos:
+        """`albedos` as a light shows them: another one may show other yarns."""
+        del light
+        return self.albedos
+
     @abstractmethod
     def evaluate(self, light: Vec3, active: Mask = True) -> Evaluation:
         """Components for a light and the hole; anything in lanes that are not active."""
@@ -159,10 +164,11 @@ class SeparableBsdf(FootprintBsdf):
     @final
     def albedos_towards(self, light: Vec3) -> FamilyAlbedos:
         """`albedos` as they count for a light, whose highlights rise towards grazing."""
+        albedos = self.albedos_for(light)
         return FamilyAlbedos(
             *(
                 towards_grazing(family, self.grazing, light, self.view)
-                for family in (self.albedos.warp, self.albedos.weft)
+                for family in (albedos.warp, albedos.weft)
             )
         )
 

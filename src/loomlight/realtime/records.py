@@ -133,7 +133,11 @@ FABRIC: Fields = (
         "uint",
         "the stack at each crossing of the draft, a byte each [picks, ends]; where there are several",
     ),
-    ("plane_shares", "uint", "what a face shows of each plane [stacks, planes, 2 faces, 2 families, 7]"),
+    (
+        "plane_shares",
+        "uint",
+        "what faces show of planes (`Seen.numbers`) [stacks, planes, 2, 2, 72]",
+    ),
     ("is_coloured", "uint", "1 where mean albedos depend on the place"),
 )
 

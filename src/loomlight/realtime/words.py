@@ -237,8 +237,6 @@ MIN_OPEN_SHARE = 1e-3
 NO_OPENNESS = 0xFFFFFFFF
 # Level of a plane that is nowhere the first of a face, millimetres.
 NOWHERE_FIRST = -1e30
-# What a face shows of a family of a plane: its area, light that passes, light that comes back.
-PLANE_SHARES = 7
 Record = NDArray[np.void]
 
 

@@ -46,6 +46,7 @@ class SurfacePoint:
         x, y: draft coordinates, millimetres; of rays that end on walls, right beside them.
         depth: how far below its yarn's tube the ray has ended, millimetres; 0 without a ray.
         plane: height of the plane that its yarn lies in, millimetres; 0 in cloth of one.
+        layer: number of the layer of its yarn; 0 in cloth of one.
     """
 
     hole: Mask
@@ -63,6 +64,7 @@ class SurfacePoint:
     y: Float
     depth: Float
     plane: Float
+    layer: UInt
 
 
 @dataclass

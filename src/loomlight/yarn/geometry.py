@@ -367,6 +367,7 @@ def shown_surface(
         y=y,
         depth=types.Float(0),
         plane=types.Float(0),
+        layer=types.UInt32(0),
         shown_share=dr.select(shown.on_top, run.share, 1 - run.share),
     )
     slope = dr.fma(-(1 - filled) * dr.rcp(beta), dive_slope, slope_along)

@@ -649,6 +649,8 @@ class StackedGeometry:
         level = here.order.level(found.choose, numbers)
         point.height, tube.height = point.height + level, tube.height + level
         point.plane = level if relief is None else level + relief.height
+        owners = [*range(len(self.layers)), *(tied.own for tied in self.layout.ties)]
+        point.layer = found.choose([types.UInt32(owner) for owner in owners])
         point.x, point.y = x, y
         point.warp_thread, point.weft_thread = (
             dr.gather(types.UInt32, threads, found.choose(first) + cell.thread)

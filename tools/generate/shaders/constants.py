@@ -15,7 +15,7 @@ from typing import TypeAlias, TypeGuard
 
 import numpy as np
 
-from loomlight.aggregate import footprint_albedos
+from loomlight.aggregate import footprint_albedos, layer_shares, layered_albedos
 from loomlight.core import footprint as core_footprint
 from loomlight.models import between_yarns, random_numbers
 from loomlight.models.clustered import bsdf as cluster_bsdf
@@ -83,6 +83,7 @@ MODULES: dict[str, tuple[ModuleType, ...]] = {
     "CLUSTERED_": (cluster_bsdf, cluster_gaussians, cluster_parallax, cluster_tables, square_map),
     "IRREGULAR_": (irregularity,),
     "LATENT_": (latent,),
+    "LAYERS_": (layer_shares, layered_albedos),
     "MIXTURE_": (lobe_mixture,),
     "NEUMIP_": (neumip,),
     "NEURAL_": (architecture, codings, encoded_fabric, neural_proposal),

@@ -575,7 +575,6 @@ export const VIEWS = 32;
 export const MIN_OPEN_SHARE = 0.001;
 export const NO_OPENNESS = 4294967295;
 export const NOWHERE_FIRST = -1e+30;
-export const PLANE_SHARES = 7;
 
 // aggregate.footprint_albedos
 export const ALBEDO_MAX_ENTRIES = 67108864;
@@ -659,6 +658,23 @@ export const LATENT_MAX_EXPONENT = 12.0;
 export const LATENT_SLOPE_FLOOR = 1e-05;
 export const LATENT_MIN_HALF = 0.02;
 export const LATENT_MIN_LIGHT = 0.01;
+
+// aggregate.layer_shares
+export const LAYERS_RAYS = 65536;
+export const LAYERS_MIN_COSINE = 0.03;
+export const LAYERS_DIRECTION_TERMS = 6;
+export const LAYERS_RATE_HALF = 8;
+export const LAYERS_LIT = 0;
+export const LAYERS_BARE = 1;
+export const LAYERS_COVERED = 2;
+export const LAYERS_BACKED = 3;
+export const LAYERS_RATES = 4;
+export const LAYERS_NO_RATE = -30.0;
+export const LAYERS_MAX_RATE = 3.0;
+
+// aggregate.layered_albedos
+export const LAYERS_SEEN_NUMBERS = 72;
+export const LAYERS_MIN_WEIGHT = 1e-09;
 
 // scattering.lobe_mixture
 export const MIXTURE_LOBE_OUTPUTS = 9;

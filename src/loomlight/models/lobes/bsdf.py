@@ -10,6 +10,7 @@ from typing import Any, TypeVar, final
 import drjit as dr
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
+from loomlight.aggregate.layered_albedos import LayeredAlbedos
 from loomlight.core.arrays import Array, Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import array_types, channel_mean, masked_branch, maximum, minimum
 from loomlight.core.footprint import Footprint
@@ -24,9 +25,16 @@ from loomlight.models.lobes.prefiltered import PrefilteredLobes, SeenPack, Table
 from loomlight.models.separable import Components, Evaluation, FamilyAlbedos, FilteredBsdf, tinted
 from loomlight.scattering.appearance import Sheen
 from loomlight.scattering.diffuse import diffuse_pdf, sample_diffuse
-from loomlight.scattering.fibre import pdf_specular, sample_specular
+from loomlight.scattering.fibre import mean_layer_shares, pdf_specular, sample_specular
 from loomlight.scattering.irregularity import IrregularYarns
-from loomlight.scattering.point import Albedos, DirectionSample, Tint, YarnScattering, to_face_frame
+from loomlight.scattering.point import (
+    Albedos,
+    DirectionSample,
+    Tint,
+    YarnScattering,
+    colours_of,
+    to_face_frame,
+)
 from loomlight.scattering.sheen import sample_sheen, sheen_pdf, sheen_transmittance
 from loomlight.yarn.visibility import first_hit
 
@@ -345,11 +353,33 @@ class LobesBsdf(FilteredBsdf):
         In the point-sampled regime the fabric's random variation is evaluated where the central ray hits. In
         the prefiltered regime variations average out.
         """
-        mean = FamilyAlbedos(*self._means.over(self.coloured_footprint, self._back))
+        if self._layered is not None:
+            return self._shown(FamilyAlbedos(*self._layered.albedos))
+        return self._shown(FamilyAlbedos(*self._means.over(self.coloured_footprint, self._back)))
+
+    def albedos_for(self, light: Vec3) -> FamilyAlbedos:
+        """The same as a light shows them: in layered cloth it reaches those behind more or less."""
+        if self._layered is None:
+            return self.albedos
+        return self._shown(FamilyAlbedos(*self._layered.towards(to_face_frame(light, self._back))))
+
+    def _shown(self, mean: FamilyAlbedos) -> FamilyAlbedos:
+        """Mean albedos of even yarns as the yarns of the footprint show them, tinted."""
         mean = self.irregular_albedos(mean)
         if self._varies:
             mean = self._varied(mean)
         return tinted(mean, self._tint)
+
+    @cached_property
+    def _layered(self) -> LayeredAlbedos | None:
+        """Mean albedos of layered cloth; None of cloth in one plane."""
+        if self._means.seen is None:
+            return None
+        layered = self._means.layered(self.coloured_footprint, self._at.view, self._back)
+        # In close-ups the layer alone counts that the central ray meets.
+        x, y, _, weight = self._central
+        layer = self._point_model.surface.surface(x, y, self._back).layer
+        return layered.of_layer(layer, weight)
 
     @property
     def _size(self) -> Float | None:
@@ -384,7 +414,7 @@ class LobesBsdf(FilteredBsdf):
     @cached_property
     def coloured_footprint(self) -> Footprint:
         """Centred where the central ray hits, in the point-sampled regime: colours stay on their threads."""
-        if not (self._means.varied or self._varies or self._irregular.is_on):
+        if not (self._means.varied or self._means.seen or self._varies or self._irregular.is_on):
             return self.footprint
         x, y, _, weight = self._central
         centre = self.footprint.centre
@@ -414,10 +444,31 @@ class LobesBsdf(FilteredBsdf):
         """Albedos of light between yarns: of the points of close-ups, of the families' means farther away."""
         far = super().bounced(evaluation)
         if self.between is None or far is None or evaluation.blocked is None:
-            return far
+            return self._with_behind(far)
         of_points = self.between.of_families(*evaluation.blocked)
         weight = self._regime.prefiltered
-        return dr.lerp(of_points[0], far[0], weight), dr.lerp(of_points[1], far[1], weight)
+        return self._with_behind(
+            (dr.lerp(of_points[0], far[0], weight), dr.lerp(of_points[1], far[1], weight))
+        )
+
+    def _with_behind(self, between: Bounced | None) -> Bounced | None:
+        """With the light of layers behind those that show."""
+        if self._layered is None:
+            return between
+        types = array_types(self.view.x)
+        appearance = self._point_model.appearance
+        depth = types.Float(appearance.optical_depth)
+        shares = [
+            mean_layer_shares(family.roughness, depth)[1] for family in self._point_model.parameters(types)
+        ]
+        reflected, transmitted = (types.Color3(0),) * 2 if between is None else between
+        for found, colour in zip(self._layered.behind(shares), colours_of(self._tint), strict=True):
+            tint = types.Color3(1) if colour is None else colour
+            reflected, transmitted = (
+                reflected + found.reflected * tint,
+                transmitted + found.transmitted * tint,
+            )
+        return reflected, transmitted
 
     def evaluate(self, light: Vec3, active: Mask = True) -> Evaluation:
         """Components for a light, 1/sr, and the hole, in one pass over the groups."""

@@ -1474,6 +1474,7 @@ struct SurfacePoint_0
      y_14 : f32,
      shown_share_0 : f32,
      plane_5 : f32,
+     layer_0 : u32,
 };
 
 fn surface_of_0( fabric_19 : Fabric_0,  sample_1 : Sample_0,  x_18 : f32,  y_15 : f32,  back_20 : bool) -> SurfacePoint_0
@@ -1501,6 +1502,7 @@ fn surface_of_0( fabric_19 : Fabric_0,  sample_1 : Sample_0,  x_18 : f32,  y_15 
     }
     point_0.height_9 = sample_1.height_1;
     point_0.plane_5 = sample_1.here_1.level_1;
+    point_0.layer_0 = sample_1.here_1.number_2;
     point_0.normal_0 = normalize(vec3<f32>(- sample_1.slope_x_0, - sample_1.slope_y_0, 1.0f));
     point_0.tangent_0 = normalize(select_vector_1(sample_1.shown_2.is_warp_0, vec3<f32>(_S173, _S174, _S175), vec3<f32>(- _S174, _S173, _S175)));
     point_0.across_2 = sample_1.section_1.across_1;

@@ -767,6 +767,7 @@ struct SurfacePoint_0
      y_3 : f32,
      shown_share_1 : f32,
      plane_4 : f32,
+     layer_0 : u32,
 };
 
 fn hit_of_0( point_0 : SurfacePoint_0) -> SurfaceHit_0
@@ -910,6 +911,7 @@ fn surface_of_0( _S118 : u32,  _S119 : Sample_0,  _S120 : f32,  _S121 : f32,  _S
     }
     point_1.height_2 = _S119.height_1;
     point_1.plane_4 = _S119.here_0.level_1;
+    point_1.layer_0 = _S119.here_0.number_0;
     point_1.normal_0 = normalize(vec3<f32>(- _S119.slope_x_0, - _S119.slope_y_0, 1.0f));
     point_1.tangent_0 = normalize(select_vector_0(_S119.shown_2.is_warp_0, vec3<f32>(_S128, _S129, _S130), vec3<f32>(- _S129, _S128, _S130)));
     point_1.across_2 = _S119.section_1.across_1;

@@ -744,9 +744,10 @@ struct SurfacePoint_0
      y_2 : f32,
      shown_share_0 : f32,
      plane_0 : f32,
+     layer_0 : u32,
 };
 
-fn SurfacePoint_x24init_0( hole_1 : bool,  is_warp_1 : bool,  warp_thread_1 : u32,  weft_thread_1 : u32,  height_3 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  across_2 : f32,  fibre_across_1 : f32,  fibre_along_1 : f32,  x_9 : f32,  y_3 : f32,  shown_share_1 : f32,  plane_1 : f32) -> SurfacePoint_0
+fn SurfacePoint_x24init_0( hole_1 : bool,  is_warp_1 : bool,  warp_thread_1 : u32,  weft_thread_1 : u32,  height_3 : f32,  normal_2 : vec3<f32>,  tangent_1 : vec3<f32>,  across_2 : f32,  fibre_across_1 : f32,  fibre_along_1 : f32,  x_9 : f32,  y_3 : f32,  shown_share_1 : f32,  plane_1 : f32,  layer_1 : u32) -> SurfacePoint_0
 {
     var _S68 : SurfacePoint_0;
     _S68.hole_0 = hole_1;
@@ -763,6 +764,7 @@ fn SurfacePoint_x24init_0( hole_1 : bool,  is_warp_1 : bool,  warp_thread_1 : u3
     _S68.y_2 = y_3;
     _S68.shown_share_0 = shown_share_1;
     _S68.plane_0 = plane_1;
+    _S68.layer_0 = layer_1;
     return _S68;
 }
 
@@ -1863,6 +1865,50 @@ fn FamilyAlbedos_x24init_0( warp_7 : Albedos_0,  weft_7 : Albedos_0) -> FamilyAl
     return _S280;
 }
 
+struct LayersBehind_0
+{
+     reflected_0 : vec3<f32>,
+     transmitted_0 : vec3<f32>,
+};
+
+fn LayersBehind_x24init_0( reflected_1 : vec3<f32>,  transmitted_1 : vec3<f32>) -> LayersBehind_0
+{
+    var _S281 : LayersBehind_0;
+    _S281.reflected_0 = reflected_1;
+    _S281.transmitted_0 = transmitted_1;
+    return _S281;
+}
+
+struct LayeredAlbedos_0
+{
+     albedos_2 : FamilyAlbedos_0,
+     behind_0 : LayersBehind_0,
+};
+
+fn LayeredAlbedos_x24init_0( albedos_3 : FamilyAlbedos_0,  behind_1 : LayersBehind_0) -> LayeredAlbedos_0
+{
+    var _S282 : LayeredAlbedos_0;
+    _S282.albedos_2 = albedos_3;
+    _S282.behind_0 = behind_1;
+    return _S282;
+}
+
+struct LayerSums_0
+{
+     albedos_4 : Albedos_0,
+     weight_3 : f32,
+     behind_2 : LayersBehind_0,
+};
+
+fn LayerSums_x24init_0( albedos_5 : Albedos_0,  weight_4 : f32,  behind_3 : LayersBehind_0) -> LayerSums_0
+{
+    var _S283 : LayerSums_0;
+    _S283.albedos_4 = albedos_5;
+    _S283.weight_3 = weight_4;
+    _S283.behind_2 = behind_3;
+    return _S283;
+}
+
 struct Bound_0
 {
      thread_9 : u32,
@@ -1875,16 +1921,16 @@ struct Bound_0
 
 fn bound_at_0( family_15 : u32,  position_7 : f32) -> Bound_0
 {
-    var _S281 : Cell_0 = locate_0(family_15, position_7);
-    var _S282 : f32 = table_number_0(families_0[family_15].before_0 + u32(2) * _S281.thread_1 + u32(1));
+    var _S284 : Cell_0 = locate_0(family_15, position_7);
+    var _S285 : f32 = table_number_0(families_0[family_15].before_0 + u32(2) * _S284.thread_1 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_9 = _S281.thread_1;
-    bound_0.turns_2 = round((position_7 - families_0[family_15].start_0 - _S282 - _S281.below_0) * families_0[family_15].inverse_period_0);
-    bound_0.cell_11 = _S281.below_0;
-    var _S283 : f32 = 2.0f * _S281.half_width_1;
-    bound_0.width_4 = _S283;
-    bound_0.visible_0 = clamp((_S281.across_0 + _S281.half_width_1) / _S283, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S281.below_0, _S281.below_0 - _S281.across_0 - _S281.half_width_1) + max(_S281.across_0 - _S281.half_width_1, 0.0f);
+    bound_0.thread_9 = _S284.thread_1;
+    bound_0.turns_2 = round((position_7 - families_0[family_15].start_0 - _S285 - _S284.below_0) * families_0[family_15].inverse_period_0);
+    bound_0.cell_11 = _S284.below_0;
+    var _S286 : f32 = 2.0f * _S284.half_width_1;
+    bound_0.width_4 = _S286;
+    bound_0.visible_0 = clamp((_S284.across_0 + _S284.half_width_1) / _S286, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S284.below_0, _S284.below_0 - _S284.across_0 - _S284.half_width_1) + max(_S284.across_0 - _S284.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1896,11 +1942,11 @@ struct Stretch_0
 
 fn stretch_of_0( family_16 : u32,  centre_1 : f32,  size_5 : f32) -> Stretch_0
 {
-    var _S284 : f32 = centre_1 - floor((centre_1 - families_0[family_16].start_0) * families_0[family_16].inverse_period_0) * families_0[family_16].period_0;
-    var _S285 : f32 = 0.5f * max(size_5, families_0[family_16].smallest_box_0);
+    var _S287 : f32 = centre_1 - floor((centre_1 - families_0[family_16].start_0) * families_0[family_16].inverse_period_0) * families_0[family_16].period_0;
+    var _S288 : f32 = 0.5f * max(size_5, families_0[family_16].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_1 = bound_at_0(family_16, _S284 - _S285);
-    stretch_0.high_1 = bound_at_0(family_16, _S284 + _S285);
+    stretch_0.low_1 = bound_at_0(family_16, _S287 - _S288);
+    stretch_0.high_1 = bound_at_0(family_16, _S287 + _S288);
     return stretch_0;
 }
 
@@ -1911,12 +1957,12 @@ fn table_colour_0( index_6 : u32) -> vec3<f32>
 
 fn table_albedos_0( row_2 : u32) -> Albedos_0
 {
-    var albedos_2 : Albedos_0;
-    albedos_2.diffuse_reflect_0 = table_colour_0(row_2);
-    albedos_2.diffuse_transmit_0 = table_colour_0(row_2 + u32(3));
-    albedos_2.specular_reflect_0 = table_colour_0(row_2 + u32(6));
-    albedos_2.specular_transmit_0 = table_colour_0(row_2 + u32(9));
-    return albedos_2;
+    var albedos_6 : Albedos_0;
+    albedos_6.diffuse_reflect_0 = table_colour_0(row_2);
+    albedos_6.diffuse_transmit_0 = table_colour_0(row_2 + u32(3));
+    albedos_6.specular_reflect_0 = table_colour_0(row_2 + u32(6));
+    albedos_6.specular_transmit_0 = table_colour_0(row_2 + u32(9));
+    return albedos_6;
 }
 
 fn Stretch_turns_0( this_6 : Stretch_0) -> f32
@@ -1926,25 +1972,25 @@ fn Stretch_turns_0( this_6 : Stretch_0) -> f32
 
 fn lengths_0( family_17 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S286 : f32 = Stretch_turns_0(stretch_1);
-    var _S287 : u32 = families_0[family_17].before_0 + u32(2) * stretch_1.low_1.thread_9;
-    var _S288 : u32 = families_0[family_17].before_0 + u32(2) * stretch_1.high_1.thread_9;
-    var _S289 : f32 = table_number_0(_S288) - table_number_0(_S287);
-    var _S290 : f32 = table_number_0(_S288 + u32(1)) - table_number_0(_S287 + u32(1));
-    return vec3<f32>(_S289 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_4 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_4 + _S286 * families_0[family_17].visible_total_0, _S290 - _S289 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S286 * (families_0[family_17].period_0 - families_0[family_17].visible_total_0), _S290 + stretch_1.high_1.cell_11 - stretch_1.low_1.cell_11 + _S286 * families_0[family_17].period_0);
+    var _S289 : f32 = Stretch_turns_0(stretch_1);
+    var _S290 : u32 = families_0[family_17].before_0 + u32(2) * stretch_1.low_1.thread_9;
+    var _S291 : u32 = families_0[family_17].before_0 + u32(2) * stretch_1.high_1.thread_9;
+    var _S292 : f32 = table_number_0(_S291) - table_number_0(_S290);
+    var _S293 : f32 = table_number_0(_S291 + u32(1)) - table_number_0(_S290 + u32(1));
+    return vec3<f32>(_S292 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_4 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_4 + _S289 * families_0[family_17].visible_total_0, _S293 - _S292 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S289 * (families_0[family_17].period_0 - families_0[family_17].visible_total_0), _S293 + stretch_1.high_1.cell_11 - stretch_1.low_1.cell_11 + _S289 * families_0[family_17].period_0);
 }
 
 fn integrals_along_0( family_18 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S291 : u32 = u32(3) * families_0[family_18].quantities_0;
-    var _S292 : u32 = families_0[family_18].colour_threads_0 + _S291 * stretch_2.low_1.thread_9 + quantity_0;
-    var _S293 : u32 = families_0[family_18].colour_threads_0 + _S291 * stretch_2.high_1.thread_9 + quantity_0;
-    var _S294 : u32 = families_0[family_18].colour_threads_0 + _S291 * u32(families_0[family_18].count_0) + quantity_0;
-    var _S295 : f32 = table_number_0(_S292);
-    var _S296 : f32 = table_number_0(_S293);
-    var _S297 : f32 = Stretch_turns_0(stretch_2);
-    var _S298 : u32 = u32(2) * families_0[family_18].quantities_0;
-    return vec2<f32>(table_number_0(_S293 + families_0[family_18].quantities_0) - table_number_0(_S292 + families_0[family_18].quantities_0) + _S296 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_4 - _S295 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_4 + _S297 * table_number_0(_S294 + families_0[family_18].quantities_0), table_number_0(_S293 + _S298) - table_number_0(_S292 + _S298) + _S296 * stretch_2.high_1.cell_11 - _S295 * stretch_2.low_1.cell_11 + _S297 * table_number_0(_S294 + _S298));
+    var _S294 : u32 = u32(3) * families_0[family_18].quantities_0;
+    var _S295 : u32 = families_0[family_18].colour_threads_0 + _S294 * stretch_2.low_1.thread_9 + quantity_0;
+    var _S296 : u32 = families_0[family_18].colour_threads_0 + _S294 * stretch_2.high_1.thread_9 + quantity_0;
+    var _S297 : u32 = families_0[family_18].colour_threads_0 + _S294 * u32(families_0[family_18].count_0) + quantity_0;
+    var _S298 : f32 = table_number_0(_S295);
+    var _S299 : f32 = table_number_0(_S296);
+    var _S300 : f32 = Stretch_turns_0(stretch_2);
+    var _S301 : u32 = u32(2) * families_0[family_18].quantities_0;
+    return vec2<f32>(table_number_0(_S296 + families_0[family_18].quantities_0) - table_number_0(_S295 + families_0[family_18].quantities_0) + _S299 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_4 - _S298 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_4 + _S300 * table_number_0(_S297 + families_0[family_18].quantities_0), table_number_0(_S296 + _S301) - table_number_0(_S295 + _S301) + _S299 * stretch_2.high_1.cell_11 - _S298 * stretch_2.low_1.cell_11 + _S300 * table_number_0(_S297 + _S301));
 }
 
 fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
@@ -1954,16 +2000,16 @@ fn Stretch_wraps_0( this_7 : Stretch_0) -> bool
 
 fn Stretch_differences_0( this_8 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S299 : u32 = entries_0.z;
-    var _S300 : u32 = entries_0.x;
-    return vec4<u32>(_S299 - _S300 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S299, entries_0.y - _S300, whole_0);
+    var _S302 : u32 = entries_0.z;
+    var _S303 : u32 = entries_0.x;
+    return vec4<u32>(_S302 - _S303 + select(u32(0), whole_0, Stretch_wraps_0(this_8)), entries_0.w - _S302, entries_0.y - _S303, whole_0);
 }
 
 fn row_differences_0( across_5 : Stretch_0,  row_3 : u32,  count_3 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S301 : u32 = row_3 + across_5.low_1.thread_9 * quantities_1;
-    var _S302 : u32 = row_3 + across_5.high_1.thread_9 * quantities_1;
-    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S301], words_0[_S301 + quantities_1], words_0[_S302], words_0[_S302 + quantities_1]), words_0[row_3 + count_3 * quantities_1]);
+    var _S304 : u32 = row_3 + across_5.low_1.thread_9 * quantities_1;
+    var _S305 : u32 = row_3 + across_5.high_1.thread_9 * quantities_1;
+    return Stretch_differences_0(across_5, vec4<u32>(words_0[_S304], words_0[_S304 + quantities_1], words_0[_S305], words_0[_S305 + quantities_1]), words_0[row_3 + count_3 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
@@ -1973,38 +2019,38 @@ fn Stretch_weights_0( this_9 : Stretch_0) -> vec4<f32>
 
 fn integral_on_top_0( family_19 : u32,  across_6 : Stretch_0,  along_3 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S303 : u32 = u32(families_0[family_19].count_0);
-    var _S304 : u32 = (_S303 + u32(1)) * families_0[family_19].quantities_0;
-    var _S305 : u32 = families_0[family_19].colour_areas_0 + quantity_1;
-    var _S306 : vec4<u32> = row_differences_0(across_6, _S305 + along_3.low_1.thread_9 * _S304, _S303, families_0[family_19].quantities_0);
-    var _S307 : vec4<u32> = row_differences_0(across_6, _S305 + along_3.high_1.thread_9 * _S304, _S303, families_0[family_19].quantities_0);
-    var _S308 : vec4<u32> = row_differences_0(across_6, _S305 + crossing_count_0 * _S304, _S303, families_0[family_19].quantities_0);
-    var _S309 : vec4<f32> = Stretch_weights_0(across_6);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S307 - _S306 + select_vector_2(Stretch_wraps_0(along_3), _S308, vec4<u32>(vec4<i32>(i32(0)))))), _S309), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S305 + (along_3.high_1.thread_9 + u32(1)) * _S304, _S303, families_0[family_19].quantities_0) - _S307)), _S309), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S305 + (along_3.low_1.thread_9 + u32(1)) * _S304, _S303, families_0[family_19].quantities_0) - _S306)), _S309), dot(vec4<f32>(vec4<i32>(_S308)), _S309)), Stretch_weights_0(along_3)) * families_0[family_19].area_unit_0;
+    var _S306 : u32 = u32(families_0[family_19].count_0);
+    var _S307 : u32 = (_S306 + u32(1)) * families_0[family_19].quantities_0;
+    var _S308 : u32 = families_0[family_19].colour_areas_0 + quantity_1;
+    var _S309 : vec4<u32> = row_differences_0(across_6, _S308 + along_3.low_1.thread_9 * _S307, _S306, families_0[family_19].quantities_0);
+    var _S310 : vec4<u32> = row_differences_0(across_6, _S308 + along_3.high_1.thread_9 * _S307, _S306, families_0[family_19].quantities_0);
+    var _S311 : vec4<u32> = row_differences_0(across_6, _S308 + crossing_count_0 * _S307, _S306, families_0[family_19].quantities_0);
+    var _S312 : vec4<f32> = Stretch_weights_0(across_6);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S310 - _S309 + select_vector_2(Stretch_wraps_0(along_3), _S311, vec4<u32>(vec4<i32>(i32(0)))))), _S312), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S308 + (along_3.high_1.thread_9 + u32(1)) * _S307, _S306, families_0[family_19].quantities_0) - _S310)), _S312), dot(vec4<f32>(vec4<i32>(row_differences_0(across_6, _S308 + (along_3.low_1.thread_9 + u32(1)) * _S307, _S306, families_0[family_19].quantities_0) - _S309)), _S312), dot(vec4<f32>(vec4<i32>(_S311)), _S312)), Stretch_weights_0(along_3)) * families_0[family_19].area_unit_0;
 }
 
-fn with_added_albedos_0( albedos_3 : Albedos_0,  weight_3 : f32,  row_4 : u32) -> Albedos_0
+fn with_added_albedos_0( albedos_7 : Albedos_0,  weight_5 : f32,  row_4 : u32) -> Albedos_0
 {
-    var _S310 : Albedos_0 = table_albedos_0(row_4);
+    var _S313 : Albedos_0 = table_albedos_0(row_4);
     var sum_0 : Albedos_0;
-    var _S311 : vec3<f32> = vec3<f32>(weight_3);
-    sum_0.diffuse_reflect_0 = albedos_3.diffuse_reflect_0 + _S311 * _S310.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_3.diffuse_transmit_0 + _S311 * _S310.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_3.specular_reflect_0 + _S311 * _S310.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_3.specular_transmit_0 + _S311 * _S310.specular_transmit_0;
+    var _S314 : vec3<f32> = vec3<f32>(weight_5);
+    sum_0.diffuse_reflect_0 = albedos_7.diffuse_reflect_0 + _S314 * _S313.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_7.diffuse_transmit_0 + _S314 * _S313.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_7.specular_reflect_0 + _S314 * _S313.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_7.specular_transmit_0 + _S314 * _S313.specular_transmit_0;
     return sum_0;
 }
 
 fn mean_albedos_0( family_20 : u32,  crossing_4 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_12 : bool) -> Albedos_0
 {
-    var albedos_4 : Albedos_0 = table_albedos_0(families_0[family_20].colour_mean_0);
+    var albedos_8 : Albedos_0 = table_albedos_0(families_0[family_20].colour_mean_0);
     if((families_0[family_20].quantities_0) == u32(1))
     {
-        return albedos_4;
+        return albedos_8;
     }
-    var _S312 : vec3<f32> = lengths_0(crossing_4, other_2);
+    var _S315 : vec3<f32> = lengths_0(crossing_4, other_2);
     var is_exposed_0 : bool = false;
-    var weight_4 : f32 = 0.0f;
+    var weight_6 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
     for(;;)
     {
@@ -2015,89 +2061,160 @@ fn mean_albedos_0( family_20 : u32,  crossing_4 : u32,  own_1 : Stretch_0,  othe
         {
             break;
         }
-        var _S313 : vec2<f32> = integrals_along_0(family_20, own_1, quantity_2);
-        var _S314 : f32 = integral_on_top_0(family_20, own_1, other_2, u32(families_0[crossing_4].count_0), quantity_2);
-        var _S315 : f32 = _S313.x;
-        var _S316 : f32 = _S315 * _S312.x;
-        var _S317 : f32 = select(_S314, _S316 - _S314, back_12);
-        var _S318 : bool = quantity_2 == u32(0);
-        if(_S318)
+        var _S316 : vec2<f32> = integrals_along_0(family_20, own_1, quantity_2);
+        var _S317 : f32 = integral_on_top_0(family_20, own_1, other_2, u32(families_0[crossing_4].count_0), quantity_2);
+        var _S318 : f32 = _S316.x;
+        var _S319 : f32 = _S318 * _S315.x;
+        var _S320 : f32 = select(_S317, _S319 - _S317, back_12);
+        var _S321 : bool = quantity_2 == u32(0);
+        if(_S321)
         {
-            is_exposed_0 = _S317 > (16.0f * families_0[family_20].area_unit_0 * min(_S316 / families_0[family_20].crossing_area_0, 1.0f) + 0.00000999999974738f * _S316);
+            is_exposed_0 = _S320 > (16.0f * families_0[family_20].area_unit_0 * min(_S319 / families_0[family_20].crossing_area_0, 1.0f) + 0.00000999999974738f * _S319);
         }
-        var _S319 : f32 = _S315 * _S312.y + select(0.0f, _S317, is_exposed_0) + 0.000244140625f * _S312.z * _S313.y;
-        if(_S318)
+        var _S322 : f32 = _S318 * _S315.y + select(0.0f, _S320, is_exposed_0) + 0.000244140625f * _S315.z * _S316.y;
+        if(_S321)
         {
-            weight_4 = 1.0f / max(_S319, 9.99999968265522539e-21f);
+            weight_6 = 1.0f / max(_S322, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_4 = with_added_albedos_0(albedos_4, _S319 * weight_4, families_0[family_20].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_8 = with_added_albedos_0(albedos_8, _S322 * weight_6, families_0[family_20].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
-    albedos_4.diffuse_reflect_0 = saturate(albedos_4.diffuse_reflect_0);
-    albedos_4.diffuse_transmit_0 = saturate(albedos_4.diffuse_transmit_0);
-    albedos_4.specular_reflect_0 = saturate(albedos_4.specular_reflect_0);
-    albedos_4.specular_transmit_0 = saturate(albedos_4.specular_transmit_0);
-    return albedos_4;
+    albedos_8.diffuse_reflect_0 = saturate(albedos_8.diffuse_reflect_0);
+    albedos_8.diffuse_transmit_0 = saturate(albedos_8.diffuse_transmit_0);
+    albedos_8.specular_reflect_0 = saturate(albedos_8.specular_reflect_0);
+    albedos_8.specular_transmit_0 = saturate(albedos_8.specular_transmit_0);
+    return albedos_8;
 }
 
 fn albedos_in_0( plane_8 : Plane_0,  centre_2 : vec2<f32>,  size_6 : vec2<f32>,  back_13 : bool) -> FamilyAlbedos_0
 {
-    var _S320 : Stretch_0 = stretch_of_0(plane_8.warp_2, centre_2.x - plane_8.start_x_0, size_6.x);
-    var _S321 : Stretch_0 = stretch_of_0(plane_8.weft_2, centre_2.y - plane_8.start_y_0, size_6.y);
-    var albedos_5 : FamilyAlbedos_0;
-    albedos_5.warp_6 = mean_albedos_0(plane_8.warp_2, plane_8.weft_2, _S320, _S321, back_13);
-    albedos_5.weft_6 = mean_albedos_0(plane_8.weft_2, plane_8.warp_2, _S321, _S320, back_13);
-    return albedos_5;
+    var _S323 : Stretch_0 = stretch_of_0(plane_8.warp_2, centre_2.x - plane_8.start_x_0, size_6.x);
+    var _S324 : Stretch_0 = stretch_of_0(plane_8.weft_2, centre_2.y - plane_8.start_y_0, size_6.y);
+    var albedos_9 : FamilyAlbedos_0;
+    albedos_9.warp_6 = mean_albedos_0(plane_8.warp_2, plane_8.weft_2, _S323, _S324, back_13);
+    albedos_9.weft_6 = mean_albedos_0(plane_8.weft_2, plane_8.warp_2, _S324, _S323, back_13);
+    return albedos_9;
 }
 
-struct PlaneShares_0
+fn rate_terms_0( direction_9 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
 {
-     area_0 : f32,
-     passed_0 : vec3<f32>,
-     added_0 : vec3<f32>,
-};
-
-fn PlaneShares_x24init_0( area_1 : f32,  passed_1 : vec3<f32>,  added_1 : vec3<f32>) -> PlaneShares_0
-{
-    var _S322 : PlaneShares_0;
-    _S322.area_0 = area_1;
-    _S322.passed_0 = passed_1;
-    _S322.added_0 = added_1;
-    return _S322;
+    var _S325 : f32 = 1.0f - direction_9.z;
+    var _S326 : f32 = _S325 * _S325;
+    var _S327 : f32 = direction_9.x;
+    var _S328 : f32 = _S327 * _S327;
+    var _S329 : f32 = direction_9.y;
+    var _S330 : f32 = _S329 * _S329;
+    var _S331 : f32 = _S328 - _S330;
+    (*terms_0)[i32(0)] = sqrt(_S328 + _S330);
+    (*terms_0)[i32(1)] = _S326;
+    (*terms_0)[i32(2)] = _S326 * _S326;
+    (*terms_0)[i32(3)] = _S331;
+    (*terms_0)[i32(4)] = _S327 * _S329;
+    (*terms_0)[i32(5)] = _S331 * _S331;
+    return;
 }
 
-fn with_shares_at_0( sums_6 : PlaneShares_0,  share_4 : f32,  first_6 : u32) -> PlaneShares_0
+fn rate_of_view_0( first_6 : u32,  terms_1 : array<f32, i32(6)>) -> f32
 {
-    var result_2 : PlaneShares_0;
-    result_2.area_0 = sums_6.area_0 + share_4 * table_number_0(first_6);
-    var _S323 : vec3<f32> = vec3<f32>(share_4);
-    result_2.passed_0 = sums_6.passed_0 + _S323 * vec3<f32>(table_number_0(first_6 + u32(1)), table_number_0(first_6 + u32(2)), table_number_0(first_6 + u32(3)));
-    result_2.added_0 = sums_6.added_0 + _S323 * vec3<f32>(table_number_0(first_6 + u32(4)), table_number_0(first_6 + u32(5)), table_number_0(first_6 + u32(6)));
+    var _S332 : f32 = table_number_0(first_6);
+    var term_0 : u32 = u32(0);
+    var total_0 : f32 = _S332;
+    for(;;)
+    {
+        if(term_0 < u32(6))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var total_1 : f32 = total_0 + table_number_0(first_6 + u32(1) + term_0) * terms_1[term_0];
+        term_0 = term_0 + u32(1);
+        total_0 = total_1;
+    }
+    return total_0;
+}
+
+fn rate_of_light_0( first_7 : u32,  terms_2 : array<f32, i32(6)>,  both_0 : vec2<f32>) -> f32
+{
+    var _S333 : u32 = first_7 + u32(8);
+    var _S334 : u32 = _S333 + u32(6);
+    var _S335 : f32 = table_number_0(_S334) * both_0.x + table_number_0(_S334 + u32(1)) * both_0.y;
+    var term_1 : u32 = u32(0);
+    var total_2 : f32 = _S335;
+    for(;;)
+    {
+        if(term_1 < u32(6))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var total_3 : f32 = total_2 + table_number_0(_S333 + term_1) * terms_2[term_1];
+        term_1 = term_1 + u32(1);
+        total_2 = total_3;
+    }
+    return total_2;
+}
+
+fn rate_of_0( logarithm_0 : f32) -> f32
+{
+    return exponential_0(clamp(logarithm_0, -30.0f, 3.0f));
+}
+
+fn with_layer_0( sums_6 : Albedos_0,  albedos_10 : Albedos_0,  lit_0 : f32,  passed_0 : f32) -> Albedos_0
+{
+    var result_2 : Albedos_0;
+    var _S336 : vec3<f32> = vec3<f32>(lit_0);
+    result_2.diffuse_reflect_0 = sums_6.diffuse_reflect_0 + _S336 * albedos_10.diffuse_reflect_0;
+    var _S337 : vec3<f32> = vec3<f32>(passed_0);
+    result_2.diffuse_transmit_0 = sums_6.diffuse_transmit_0 + _S337 * albedos_10.diffuse_transmit_0;
+    result_2.specular_reflect_0 = sums_6.specular_reflect_0 + _S336 * albedos_10.specular_reflect_0;
+    result_2.specular_transmit_0 = sums_6.specular_transmit_0 + _S337 * albedos_10.specular_transmit_0;
     return result_2;
 }
 
-fn with_plane_0( sums_7 : Albedos_0,  albedos_6 : Albedos_0,  shares_2 : PlaneShares_0) -> Albedos_0
+fn with_seen_0( sums_7 : LayerSums_0,  albedos_11 : Albedos_0,  through_0 : f32,  first_8 : u32,  share_4 : f32,  alone_0 : f32,  light_7 : vec3<f32>,  view_6 : vec3<f32>) -> LayerSums_0
 {
-    var result_3 : Albedos_0;
-    var _S324 : vec3<f32> = vec3<f32>(shares_2.area_0);
-    result_3.diffuse_reflect_0 = sums_7.diffuse_reflect_0 + _S324 * albedos_6.diffuse_reflect_0 + shares_2.added_0;
-    result_3.diffuse_transmit_0 = sums_7.diffuse_transmit_0 + shares_2.passed_0 * albedos_6.diffuse_transmit_0;
-    result_3.specular_reflect_0 = sums_7.specular_reflect_0 + _S324 * albedos_6.specular_reflect_0;
-    result_3.specular_transmit_0 = sums_7.specular_transmit_0 + shares_2.passed_0 * albedos_6.specular_transmit_0;
+    var of_view_0 : array<f32, i32(6)>;
+    rate_terms_0(view_6, &(of_view_0));
+    var _S338 : f32 = light_7.x;
+    var _S339 : f32 = light_7.y;
+    var _S340 : f32 = light_7.z;
+    var of_light_0 : array<f32, i32(6)>;
+    rate_terms_0(vec3<f32>(_S338, _S339, abs(_S340)), &(of_light_0));
+    var _S341 : vec2<f32> = vec2<f32>(_S338 * view_6.x, _S339 * view_6.y);
+    var _S342 : bool = _S340 < 0.0f;
+    var _S343 : u32 = first_8 + u32(16) * select(u32(0), u32(1), _S342);
+    var _S344 : u32 = first_8 + u32(32);
+    var _S345 : f32 = share_4 * alone_0;
+    var _S346 : f32 = _S345 * rate_of_0(rate_of_view_0(_S343, of_view_0) + rate_of_light_0(_S343, of_light_0, _S341));
+    var _S347 : f32 = _S345 * rate_of_0(rate_of_view_0(_S344, of_view_0) + rate_of_light_0(_S344, of_light_0, _S341));
+    var _S348 : f32 = share_4 * rate_of_0(rate_of_view_0(first_8 + u32(48), of_view_0));
+    var _S349 : u32 = first_8 + u32(64);
+    var _S350 : vec3<f32> = vec3<f32>(table_number_0(_S349), table_number_0(_S349 + u32(1)), table_number_0(_S349 + u32(2)));
+    var _S351 : vec3<f32> = vec3<f32>(table_number_0(_S349 + u32(3)), table_number_0(_S349 + u32(4)), table_number_0(_S349 + u32(5)));
+    var result_3 : LayerSums_0;
+    result_3.albedos_4 = with_layer_0(sums_7.albedos_4, albedos_11, _S346, _S346);
+    result_3.weight_3 = sums_7.weight_3 + _S346 + select(0.0f, _S347, _S342);
+    var _S352 : vec3<f32> = vec3<f32>(_S348);
+    result_3.behind_2.reflected_0 = sums_7.behind_2.reflected_0 + _S352 * _S351;
+    result_3.behind_2.transmitted_0 = sums_7.behind_2.transmitted_0 + _S352 * _S350 * (albedos_11.diffuse_transmit_0 + vec3<f32>(through_0) * albedos_11.specular_transmit_0);
     return result_3;
 }
 
-fn divided_0( sums_8 : Albedos_0,  area_2 : f32) -> Albedos_0
+fn divided_0( sums_8 : Albedos_0,  weight_7 : f32) -> Albedos_0
 {
     var result_4 : Albedos_0;
-    var _S325 : vec3<f32> = vec3<f32>((1.0f / max(area_2, 9.99999997475242708e-07f)));
-    result_4.diffuse_reflect_0 = sums_8.diffuse_reflect_0 * _S325;
-    result_4.diffuse_transmit_0 = sums_8.diffuse_transmit_0 * _S325;
-    result_4.specular_reflect_0 = sums_8.specular_reflect_0 * _S325;
-    result_4.specular_transmit_0 = sums_8.specular_transmit_0 * _S325;
+    var _S353 : vec3<f32> = vec3<f32>((1.0f / max(weight_7, 9.99999971718068537e-10f)));
+    result_4.diffuse_reflect_0 = sums_8.diffuse_reflect_0 * _S353;
+    result_4.diffuse_transmit_0 = sums_8.diffuse_transmit_0 * _S353;
+    result_4.specular_reflect_0 = sums_8.specular_reflect_0 * _S353;
+    result_4.specular_transmit_0 = sums_8.specular_transmit_0 * _S353;
     return result_4;
 }
 
@@ -2113,14 +2230,14 @@ fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
 
 fn bounded_gain_0( gain_1 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S326 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
-    return min(gain_1, max(min(min(_S326.x, _S326.y), _S326.z), 0.0f));
+    var _S354 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
+    return min(gain_1, max(min(min(_S354.x, _S354.y), _S354.z), 0.0f));
 }
 
 fn flattened_0( largest_0 : f32,  albedo_2 : vec3<f32>,  room_1 : vec3<f32>) -> f32
 {
-    var _S327 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
-    return min(max(min(min(_S327.x, _S327.y), _S327.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
+    var _S355 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
+    return min(max(min(min(_S355.x, _S355.y), _S355.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
 fn fibre_gain_0( thread_11 : u32,  cell_12 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
@@ -2128,20 +2245,20 @@ fn fibre_gain_0( thread_11 : u32,  cell_12 : u32,  amount_1 : f32,  seed_2 : u32
     return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_12, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
 }
 
-fn lerp_albedos_0( first_7 : Albedos_0,  second_1 : Albedos_0,  weight_5 : f32) -> Albedos_0
+fn lerp_albedos_0( first_9 : Albedos_0,  second_1 : Albedos_0,  weight_8 : f32) -> Albedos_0
 {
-    var albedos_7 : Albedos_0;
-    var _S328 : vec3<f32> = vec3<f32>(weight_5);
-    albedos_7.diffuse_reflect_0 = mix(first_7.diffuse_reflect_0, second_1.diffuse_reflect_0, _S328);
-    albedos_7.diffuse_transmit_0 = mix(first_7.diffuse_transmit_0, second_1.diffuse_transmit_0, _S328);
-    albedos_7.specular_reflect_0 = mix(first_7.specular_reflect_0, second_1.specular_reflect_0, _S328);
-    albedos_7.specular_transmit_0 = mix(first_7.specular_transmit_0, second_1.specular_transmit_0, _S328);
-    return albedos_7;
+    var albedos_12 : Albedos_0;
+    var _S356 : vec3<f32> = vec3<f32>(weight_8);
+    albedos_12.diffuse_reflect_0 = mix(first_9.diffuse_reflect_0, second_1.diffuse_reflect_0, _S356);
+    albedos_12.diffuse_transmit_0 = mix(first_9.diffuse_transmit_0, second_1.diffuse_transmit_0, _S356);
+    albedos_12.specular_reflect_0 = mix(first_9.specular_reflect_0, second_1.specular_reflect_0, _S356);
+    albedos_12.specular_transmit_0 = mix(first_9.specular_transmit_0, second_1.specular_transmit_0, _S356);
+    return albedos_12;
 }
 
-fn tinted_0( albedos_8 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
+fn tinted_0( albedos_13 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
 {
-    var result_5 : Albedos_0 = albedos_8;
+    var result_5 : Albedos_0 = albedos_13;
     result_5.diffuse_reflect_0 = result_5.diffuse_reflect_0 * tint_0;
     result_5.diffuse_transmit_0 = result_5.diffuse_transmit_0 * tint_0;
     return result_5;
@@ -2149,8 +2266,8 @@ fn tinted_0( albedos_8 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
 
 fn fourth_power_0( value_1 : f32) -> f32
 {
-    var _S329 : f32 = value_1 * value_1;
-    return _S329 * _S329;
+    var _S357 : f32 = value_1 * value_1;
+    return _S357 * _S357;
 }
 
 struct FaceRadiance_0
@@ -2172,64 +2289,64 @@ struct FaceSends_0
      blocks_weft_0 : f32,
 };
 
-fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_2 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
+fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_1 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S330 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_2;
+    var _S358 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_1;
     var found_0 : FaceRadiance_0;
-    var _S331 : vec3<f32> = sends_0.sky_warp_0 + _S330 * sends_0.crossing_warp_0;
-    found_0.warp_8 = _S331;
-    var _S332 : vec3<f32> = sends_0.sky_weft_0 + _S330 * sends_0.crossing_weft_0;
-    found_0.weft_8 = _S332;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S331 + vec3<f32>(sends_0.blocks_weft_0) * _S332;
+    var _S359 : vec3<f32> = sends_0.sky_warp_0 + _S358 * sends_0.crossing_warp_0;
+    found_0.warp_8 = _S359;
+    var _S360 : vec3<f32> = sends_0.sky_weft_0 + _S358 * sends_0.crossing_weft_0;
+    found_0.weft_8 = _S360;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S359 + vec3<f32>(sends_0.blocks_weft_0) * _S360;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
-fn view_terms_0( view_6 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_0( view_7 : vec3<f32>,  terms_3 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S333 : f32 = 1.0f - view_6.z;
-    var _S334 : f32 = _S333 * _S333;
-    (*terms_0)[i32(0)] = 1.0f;
-    var _S335 : f32 = view_6.x;
-    var _S336 : f32 = _S335 * _S335;
-    var _S337 : f32 = view_6.y;
-    var _S338 : f32 = _S337 * _S337;
-    (*terms_0)[i32(1)] = sqrt(max(_S336 + _S338, 9.999999960041972e-13f));
-    (*terms_0)[i32(2)] = _S334;
-    (*terms_0)[i32(3)] = _S334 * _S334;
-    (*terms_0)[i32(4)] = _S336 - _S338;
-    (*terms_0)[i32(5)] = 0.0f;
+    var _S361 : f32 = 1.0f - view_7.z;
+    var _S362 : f32 = _S361 * _S361;
+    (*terms_3)[i32(0)] = 1.0f;
+    var _S363 : f32 = view_7.x;
+    var _S364 : f32 = _S363 * _S363;
+    var _S365 : f32 = view_7.y;
+    var _S366 : f32 = _S365 * _S365;
+    (*terms_3)[i32(1)] = sqrt(max(_S364 + _S366, 9.999999960041972e-13f));
+    (*terms_3)[i32(2)] = _S362;
+    (*terms_3)[i32(3)] = _S362 * _S362;
+    (*terms_3)[i32(4)] = _S364 - _S366;
+    (*terms_3)[i32(5)] = 0.0f;
     return;
 }
 
-fn view_terms_1( view_7 : vec3<f32>,  terms_1 : ptr<function, array<f32, i32(6)>>)
+fn view_terms_1( view_8 : vec3<f32>,  terms_4 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S339 : f32 = 1.0f - view_7.z;
-    var _S340 : f32 = _S339 * _S339;
-    (*terms_1)[i32(0)] = 1.0f;
-    var _S341 : f32 = view_7.x;
-    var _S342 : f32 = _S341 * _S341;
-    var _S343 : f32 = view_7.y;
-    var _S344 : f32 = _S343 * _S343;
-    (*terms_1)[i32(1)] = sqrt(max(_S342 + _S344, 9.999999960041972e-13f));
-    (*terms_1)[i32(2)] = _S340;
-    (*terms_1)[i32(3)] = _S340 * _S340;
-    (*terms_1)[i32(4)] = _S342 - _S344;
-    (*terms_1)[i32(5)] = 0.0f;
+    var _S367 : f32 = 1.0f - view_8.z;
+    var _S368 : f32 = _S367 * _S367;
+    (*terms_4)[i32(0)] = 1.0f;
+    var _S369 : f32 = view_8.x;
+    var _S370 : f32 = _S369 * _S369;
+    var _S371 : f32 = view_8.y;
+    var _S372 : f32 = _S371 * _S371;
+    (*terms_4)[i32(1)] = sqrt(max(_S370 + _S372, 9.999999960041972e-13f));
+    (*terms_4)[i32(2)] = _S368;
+    (*terms_4)[i32(3)] = _S368 * _S368;
+    (*terms_4)[i32(4)] = _S370 - _S372;
+    (*terms_4)[i32(5)] = 0.0f;
     return;
 }
 
 struct Bounced_0
 {
-     reflected_0 : vec3<f32>,
-     transmitted_0 : vec3<f32>,
+     reflected_2 : vec3<f32>,
+     transmitted_2 : vec3<f32>,
      is_covered_0 : bool,
 };
 
 struct Scattered_0
 {
      back_14 : vec3<f32>,
-     through_0 : vec3<f32>,
+     through_1 : vec3<f32>,
 };
 
 struct Interior_0
@@ -2243,28 +2360,28 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S345 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S346 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_0;
+    var _S373 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S374 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_1;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_0 = yarn_2.back_14 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_9 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_9) + _S346 * interior_0.far_leaked_0;
-    bounced_0.transmitted_0 = _S346 * interior_0.far_1 + yarn_2.back_14 * _S345;
+    bounced_0.reflected_2 = yarn_2.back_14 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_9 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_9) + _S374 * interior_0.far_leaked_0;
+    bounced_0.transmitted_2 = _S374 * interior_0.far_1 + yarn_2.back_14 * _S373;
     bounced_0.is_covered_0 = false;
     return bounced_0;
 }
 
-fn sum_of_0( first_8 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
+fn sum_of_0( first_10 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 {
     var sum_1 : Bounced_0;
-    sum_1.reflected_0 = first_8.reflected_0 + second_2.reflected_0;
-    sum_1.transmitted_0 = first_8.transmitted_0 + second_2.transmitted_0;
+    sum_1.reflected_2 = first_10.reflected_2 + second_2.reflected_2;
+    sum_1.transmitted_2 = first_10.transmitted_2 + second_2.transmitted_2;
     sum_1.is_covered_0 = false;
     return sum_1;
 }
 
-fn bounced_value_0( bounced_1 : Bounced_0,  light_7 : vec3<f32>,  view_8 : vec3<f32>) -> vec3<f32>
+fn bounced_value_0( bounced_1 : Bounced_0,  light_8 : vec3<f32>,  view_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S347 : f32 = light_7.z;
-    return select_vector_1((_S347 * view_8.z) < 0.0f, bounced_1.transmitted_0, bounced_1.reflected_0) * vec3<f32>((abs(_S347) * 0.31830987334251404f));
+    var _S375 : f32 = light_8.z;
+    return select_vector_1((_S375 * view_9.z) < 0.0f, bounced_1.transmitted_2, bounced_1.reflected_2) * vec3<f32>((abs(_S375) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_18 : f32,  y_11 : f32) -> f32
@@ -2284,40 +2401,40 @@ fn sheen_reflectance_0( x_20 : f32,  y_13 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_10 : f32) -> vec3<f32>
 {
-    var _S348 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S349 : f32 = 2.0f * sqrt(_S348) - 1.0f;
-    var _S350 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_10, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S349, _S350), 0.00999999977648258f, 1.0f), clamp((1.0f - _S348) * sheen_shear_0(_S349, _S350), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S349, _S350), -60.0f, 60.0f))));
+    var _S376 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S377 : f32 = 2.0f * sqrt(_S376) - 1.0f;
+    var _S378 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_10, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S377, _S378), 0.00999999977648258f, 1.0f), clamp((1.0f - _S376) * sheen_shear_0(_S377, _S378), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S377, _S378), -60.0f, 60.0f))));
 }
 
-fn transformed_cosine_0( light_8 : vec3<f32>,  view_9 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
+fn transformed_cosine_0( light_9 : vec3<f32>,  view_10 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S351 : f32 = light_8.z;
-    if(((_S351 <= 0.0f) | (((view_9.z) <= 0.0f))))
+    var _S379 : f32 = light_9.z;
+    if(((_S379 <= 0.0f) | (((view_10.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S352 : vec2<f32> = view_9.xy;
-    var _S353 : f32 = dot(_S352, _S352);
-    var _S354 : vec2<f32> = select_vector_0(_S353 > 9.99999968265522539e-21f, _S352 * vec2<f32>(rsqrt_0(max(_S353, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S355 : f32 = scale_0 * dot(light_8.xy, _S354) + shear_0 * _S351;
-    var _S356 : f32 = scale_0 * (light_8.y * _S354.x - light_8.x * _S354.y);
-    var _S357 : f32 = _S355 * _S355 + _S356 * _S356 + _S351 * _S351;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S351 / max(_S357 * _S357, 9.99999968265522539e-21f);
+    var _S380 : vec2<f32> = view_10.xy;
+    var _S381 : f32 = dot(_S380, _S380);
+    var _S382 : vec2<f32> = select_vector_0(_S381 > 9.99999968265522539e-21f, _S380 * vec2<f32>(rsqrt_0(max(_S381, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S383 : f32 = scale_0 * dot(light_9.xy, _S382) + shear_0 * _S379;
+    var _S384 : f32 = scale_0 * (light_9.y * _S382.x - light_9.x * _S382.y);
+    var _S385 : f32 = _S383 * _S383 + _S384 * _S384 + _S379 * _S379;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S379 / max(_S385 * _S385, 9.99999968265522539e-21f);
 }
 
-fn sheen_with_transmittance_0( light_9 : vec3<f32>,  view_10 : vec3<f32>,  strength_0 : f32,  roughness_11 : f32) -> vec2<f32>
+fn sheen_with_transmittance_0( light_10 : vec3<f32>,  view_11 : vec3<f32>,  strength_0 : f32,  roughness_11 : f32) -> vec2<f32>
 {
-    var _S358 : vec3<f32> = sheen_lobe_0(view_10.z, roughness_11);
-    var _S359 : f32 = strength_0 * _S358.z;
-    return vec2<f32>(_S359 * transformed_cosine_0(light_9, view_10, _S358.x, _S358.y), 1.0f - _S359);
+    var _S386 : vec3<f32> = sheen_lobe_0(view_11.z, roughness_11);
+    var _S387 : f32 = strength_0 * _S386.z;
+    return vec2<f32>(_S387 * transformed_cosine_0(light_10, view_11, _S386.x, _S386.y), 1.0f - _S387);
 }
 
-fn accumulate_0( index_7 : u32,  light_10 : vec4<f32>)
+fn accumulate_0( index_7 : u32,  light_11 : vec4<f32>)
 {
-    var _S360 : f32 = layers_0[index_7].share_0;
-    radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_10;
-    layers_0[index_7].share_0 = _S360 * (1.0f - light_10.w);
+    var _S388 : f32 = layers_0[index_7].share_0;
+    radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_11;
+    layers_0[index_7].share_0 = _S388 * (1.0f - light_11.w);
     return;
 }
 
@@ -2341,152 +2458,152 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S361 : u32,  _S362 : u32,  _S363 : u32,  _S364 : vec2<f32>) -> f32
+fn uneven_shift_0( _S389 : u32,  _S390 : u32,  _S391 : u32,  _S392 : vec2<f32>) -> f32
 {
-    var _S365 : f32 = families_0[_S363].period_0 / families_0[_S363].count_0;
-    var _S366 : u32 = hash_key_0(_S362, ((fabrics_0[_S361].seed_0) ^ (u32(625341585))));
-    var _S367 : vec2<f32> = vec2<f32>(_S364.x, _S364.y / 4.0f) / vec2<f32>(_S365);
-    return 0.20000000298023224f * sqrt(families_0[_S363].slub_0) * _S365 * (uneven_octave_0(_S366, _S367) * 0.66666668653488159f + uneven_octave_0(_S366 + u32(1), vec2<f32>(2.0f) * _S367 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S393 : f32 = families_0[_S391].period_0 / families_0[_S391].count_0;
+    var _S394 : u32 = hash_key_0(_S390, ((fabrics_0[_S389].seed_0) ^ (u32(625341585))));
+    var _S395 : vec2<f32> = vec2<f32>(_S392.x, _S392.y / 4.0f) / vec2<f32>(_S393);
+    return 0.20000000298023224f * sqrt(families_0[_S391].slub_0) * _S393 * (uneven_octave_0(_S394, _S395) * 0.66666668653488159f + uneven_octave_0(_S394 + u32(1), vec2<f32>(2.0f) * _S395 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S368 : u32,  _S369 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S396 : u32,  _S397 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_0((fabrics_0[_S368].has_detail_0) == u32(0), _S369, _S369 + vec2<f32>(uneven_shift_0(_S368, u32(0), fabrics_0[_S368].warp_0, _S369), uneven_shift_0(_S368, u32(1), fabrics_0[_S368].weft_0, _S369.yx)));
+    return select_vector_0((fabrics_0[_S396].has_detail_0) == u32(0), _S397, _S397 + vec2<f32>(uneven_shift_0(_S396, u32(0), fabrics_0[_S396].warp_0, _S397), uneven_shift_0(_S396, u32(1), fabrics_0[_S396].weft_0, _S397.yx)));
 }
 
-fn face_point_0( _S370 : u32,  _S371 : u32,  _S372 : f32,  _S373 : f32) -> VisiblePoint_0
+fn face_point_0( _S398 : u32,  _S399 : u32,  _S400 : f32,  _S401 : f32) -> VisiblePoint_0
 {
-    var _S374 : u32 = u32(3) * _S371;
-    var _S375 : Vertex_0 = vertex_at_0(_S374);
-    var _S376 : Vertex_0 = vertex_at_0(_S374 + u32(1));
-    var _S377 : Vertex_0 = vertex_at_0(_S374 + u32(2));
-    var _S378 : vec3<f32> = position_of_0(_S375);
-    var _S379 : vec3<f32> = position_of_0(_S376) - _S378;
-    var _S380 : vec3<f32> = position_of_0(_S377) - _S378;
-    var _S381 : f32 = _S376.u_0 - _S375.u_0;
-    var _S382 : f32 = _S376.v_0 - _S375.v_0;
-    var _S383 : vec2<f32> = vec2<f32>(_S381, _S382);
-    var _S384 : f32 = _S377.u_0 - _S375.u_0;
-    var _S385 : f32 = _S377.v_0 - _S375.v_0;
-    var _S386 : vec2<f32> = vec2<f32>(_S384, _S385);
-    var _S387 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S381 * _S385 - _S382 * _S384) < 0.0f));
-    var _S388 : vec3<f32> = _S387 * (vec3<f32>(_S385) * _S379 - vec3<f32>(_S382) * _S380);
-    var _S389 : vec3<f32> = _S387 * (vec3<f32>(_S381) * _S380 - vec3<f32>(_S384) * _S379);
-    var point_2 : VisiblePoint_0;
-    var _S390 : vec3<f32> = vec3<f32>(_S372);
-    var _S391 : vec3<f32> = vec3<f32>(_S373);
-    var _S392 : vec3<f32> = normalize(vec3<f32>((1.0f - _S372 - _S373)) * normal_of_0(_S375) + _S390 * normal_of_0(_S376) + _S391 * normal_of_0(_S377));
-    point_2.normal_0 = _S392;
-    var _S393 : vec3<f32> = normalize(_S388 - _S392 * vec3<f32>(dot(_S392, _S388)));
-    point_2.axis_x_0 = _S393;
-    point_2.axis_y_0 = cross(_S392, _S393);
-    var _S394 : vec3<f32> = normalize(cross(_S379, _S380));
-    point_2.face_normal_0 = select_vector_1((dot(_S394, _S392)) < 0.0f, (vec3<f32>(0) - _S394), _S394);
-    point_2.position_4 = _S378 + _S390 * _S379 + _S391 * _S380;
-    point_2.view_0 = _S392;
-    var _S395 : vec2<f32> = vec2<f32>(_S375.u_0, _S375.v_0) + vec2<f32>(_S372) * _S383 + vec2<f32>(_S373) * _S386;
-    point_2.uv_1 = _S395;
-    var _S396 : bool = (dot(cross(_S388, _S389), _S392)) < 0.0f;
-    var _S397 : vec2<f32> = vec2<f32>(fabrics_0[_S370].uv_width_0, select(fabrics_0[_S370].uv_height_0, - fabrics_0[_S370].uv_height_0, _S396));
-    point_2.draft_per_uv_0 = _S397;
-    point_2.draft_0 = uneven_place_0(_S370, _S395 * _S397 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S370].uv_height_0, _S396)));
-    var _S398 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S398;
-    point_2.draft_dy_0 = _S398;
-    return point_2;
-}
-
-fn visible_point_0( _S399 : u32,  _S400 : u32,  _S401 : vec2<u32>) -> VisiblePoint_0
-{
-    var _S402 : u32 = u32(3) * _S400;
+    var _S402 : u32 = u32(3) * _S399;
     var _S403 : Vertex_0 = vertex_at_0(_S402);
     var _S404 : Vertex_0 = vertex_at_0(_S402 + u32(1));
     var _S405 : Vertex_0 = vertex_at_0(_S402 + u32(2));
     var _S406 : vec3<f32> = position_of_0(_S403);
     var _S407 : vec3<f32> = position_of_0(_S404) - _S406;
     var _S408 : vec3<f32> = position_of_0(_S405) - _S406;
-    var _S409 : vec3<f32> = cross(_S407, _S408);
-    var _S410 : f32 = f32(frame_record_0.width_0);
-    var _S411 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S410));
-    var _S412 : f32 = f32(frame_record_0.height_0);
-    var _S413 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S412));
-    var _S414 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S401.x) + 0.5f - 0.5f * _S410)) * _S411 + vec3<f32>((f32(_S401.y) + 0.5f - 0.5f * _S412)) * _S413;
-    var _S415 : f32 = dot(_S414, _S409);
-    var _S416 : f32 = 1.0f / select(1.00000000317107685e-30f, _S415, (abs(_S415)) > 1.00000000317107685e-30f);
-    var _S417 : vec3<f32> = _S406 - camera_origin_0();
-    var _S418 : vec3<f32> = vec3<f32>((dot(_S417, _S409) * _S416));
-    var _S419 : vec3<f32> = _S414 * _S418 - _S417;
-    var _S420 : vec3<f32> = _S418 * (_S411 - _S414 * vec3<f32>((dot(_S411, _S409) * _S416)));
-    var _S421 : vec3<f32> = _S418 * (_S413 - _S414 * vec3<f32>((dot(_S413, _S409) * _S416)));
-    var _S422 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S409), 1.00000000317107685e-30f)));
-    var _S423 : vec3<f32> = cross(_S408, _S409) * _S422;
-    var _S424 : vec3<f32> = cross(_S409, _S407) * _S422;
-    var _S425 : vec2<f32> = vec2<f32>(_S404.u_0 - _S403.u_0, _S404.v_0 - _S403.v_0);
-    var _S426 : vec2<f32> = vec2<f32>(_S405.u_0 - _S403.u_0, _S405.v_0 - _S403.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S399, _S400, dot(_S419, _S423), dot(_S419, _S424));
-    point_3.position_4 = _S406 + _S419;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S414));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S420, _S423)) * _S425 + vec2<f32>(dot(_S420, _S424)) * _S426) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S421, _S423)) * _S425 + vec2<f32>(dot(_S421, _S424)) * _S426) * point_3.draft_per_uv_0;
+    var _S409 : f32 = _S404.u_0 - _S403.u_0;
+    var _S410 : f32 = _S404.v_0 - _S403.v_0;
+    var _S411 : vec2<f32> = vec2<f32>(_S409, _S410);
+    var _S412 : f32 = _S405.u_0 - _S403.u_0;
+    var _S413 : f32 = _S405.v_0 - _S403.v_0;
+    var _S414 : vec2<f32> = vec2<f32>(_S412, _S413);
+    var _S415 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S409 * _S413 - _S410 * _S412) < 0.0f));
+    var _S416 : vec3<f32> = _S415 * (vec3<f32>(_S413) * _S407 - vec3<f32>(_S410) * _S408);
+    var _S417 : vec3<f32> = _S415 * (vec3<f32>(_S409) * _S408 - vec3<f32>(_S412) * _S407);
+    var point_2 : VisiblePoint_0;
+    var _S418 : vec3<f32> = vec3<f32>(_S400);
+    var _S419 : vec3<f32> = vec3<f32>(_S401);
+    var _S420 : vec3<f32> = normalize(vec3<f32>((1.0f - _S400 - _S401)) * normal_of_0(_S403) + _S418 * normal_of_0(_S404) + _S419 * normal_of_0(_S405));
+    point_2.normal_0 = _S420;
+    var _S421 : vec3<f32> = normalize(_S416 - _S420 * vec3<f32>(dot(_S420, _S416)));
+    point_2.axis_x_0 = _S421;
+    point_2.axis_y_0 = cross(_S420, _S421);
+    var _S422 : vec3<f32> = normalize(cross(_S407, _S408));
+    point_2.face_normal_0 = select_vector_1((dot(_S422, _S420)) < 0.0f, (vec3<f32>(0) - _S422), _S422);
+    point_2.position_4 = _S406 + _S418 * _S407 + _S419 * _S408;
+    point_2.view_0 = _S420;
+    var _S423 : vec2<f32> = vec2<f32>(_S403.u_0, _S403.v_0) + vec2<f32>(_S400) * _S411 + vec2<f32>(_S401) * _S414;
+    point_2.uv_1 = _S423;
+    var _S424 : bool = (dot(cross(_S416, _S417), _S420)) < 0.0f;
+    var _S425 : vec2<f32> = vec2<f32>(fabrics_0[_S398].uv_width_0, select(fabrics_0[_S398].uv_height_0, - fabrics_0[_S398].uv_height_0, _S424));
+    point_2.draft_per_uv_0 = _S425;
+    point_2.draft_0 = uneven_place_0(_S398, _S423 * _S425 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S398].uv_height_0, _S424)));
+    var _S426 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S426;
+    point_2.draft_dy_0 = _S426;
+    return point_2;
+}
+
+fn visible_point_0( _S427 : u32,  _S428 : u32,  _S429 : vec2<u32>) -> VisiblePoint_0
+{
+    var _S430 : u32 = u32(3) * _S428;
+    var _S431 : Vertex_0 = vertex_at_0(_S430);
+    var _S432 : Vertex_0 = vertex_at_0(_S430 + u32(1));
+    var _S433 : Vertex_0 = vertex_at_0(_S430 + u32(2));
+    var _S434 : vec3<f32> = position_of_0(_S431);
+    var _S435 : vec3<f32> = position_of_0(_S432) - _S434;
+    var _S436 : vec3<f32> = position_of_0(_S433) - _S434;
+    var _S437 : vec3<f32> = cross(_S435, _S436);
+    var _S438 : f32 = f32(frame_record_0.width_0);
+    var _S439 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S438));
+    var _S440 : f32 = f32(frame_record_0.height_0);
+    var _S441 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S440));
+    var _S442 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S429.x) + 0.5f - 0.5f * _S438)) * _S439 + vec3<f32>((f32(_S429.y) + 0.5f - 0.5f * _S440)) * _S441;
+    var _S443 : f32 = dot(_S442, _S437);
+    var _S444 : f32 = 1.0f / select(1.00000000317107685e-30f, _S443, (abs(_S443)) > 1.00000000317107685e-30f);
+    var _S445 : vec3<f32> = _S434 - camera_origin_0();
+    var _S446 : vec3<f32> = vec3<f32>((dot(_S445, _S437) * _S444));
+    var _S447 : vec3<f32> = _S442 * _S446 - _S445;
+    var _S448 : vec3<f32> = _S446 * (_S439 - _S442 * vec3<f32>((dot(_S439, _S437) * _S444)));
+    var _S449 : vec3<f32> = _S446 * (_S441 - _S442 * vec3<f32>((dot(_S441, _S437) * _S444)));
+    var _S450 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S437), 1.00000000317107685e-30f)));
+    var _S451 : vec3<f32> = cross(_S436, _S437) * _S450;
+    var _S452 : vec3<f32> = cross(_S437, _S435) * _S450;
+    var _S453 : vec2<f32> = vec2<f32>(_S432.u_0 - _S431.u_0, _S432.v_0 - _S431.v_0);
+    var _S454 : vec2<f32> = vec2<f32>(_S433.u_0 - _S431.u_0, _S433.v_0 - _S431.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S427, _S428, dot(_S447, _S451), dot(_S447, _S452));
+    point_3.position_4 = _S434 + _S447;
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S442));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S448, _S451)) * _S453 + vec2<f32>(dot(_S448, _S452)) * _S454) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S449, _S451)) * _S453 + vec2<f32>(dot(_S449, _S452)) * _S454) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S427 : u32,  _S428 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S455 : u32,  _S456 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S429 : u32 = fabrics_0[_S427].albedo_map_levels_0;
-    if((fabrics_0[_S427].albedo_map_levels_0) == u32(0))
+    var _S457 : u32 = fabrics_0[_S455].albedo_map_levels_0;
+    if((fabrics_0[_S455].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S430 : vec2<f32> = vec2<f32>(fabrics_0[_S427].uv_width_0, fabrics_0[_S427].uv_height_0);
-    var _S431 : vec2<f32> = _S428.draft_dx_0 / _S430;
-    var _S432 : vec2<f32> = _S428.draft_dy_0 / _S430;
-    var _S433 : u32 = _S429 - u32(1);
-    var _S434 : u32 = (u32(1) << (_S433));
-    var _S435 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S431.x * _S432.y - _S431.y * _S432.x), 9.99999968265522539e-21f) * (square_1(f32(_S434)) / 3.0f)), 0.0f, f32(_S429) - 1.0f);
-    var _S436 : u32 = min(u32(_S435), max(_S429, u32(2)) - u32(2));
-    var _S437 : u32 = min(_S436 + u32(1), _S433);
-    var _S438 : u32 = (u32(1) << ((u32(2) * _S429)));
-    return mix(map_level_0(fabrics_0[_S427].albedo_map_0 + (_S438 - ((_S438 >> ((u32(2) * _S436))))) / u32(3), (_S434 >> (_S436)), _S428.uv_1), map_level_0(fabrics_0[_S427].albedo_map_0 + (_S438 - ((_S438 >> ((u32(2) * _S437))))) / u32(3), (_S434 >> (_S437)), _S428.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S435 - f32(_S436))) - 1.0f) / 3.0f)));
+    var _S458 : vec2<f32> = vec2<f32>(fabrics_0[_S455].uv_width_0, fabrics_0[_S455].uv_height_0);
+    var _S459 : vec2<f32> = _S456.draft_dx_0 / _S458;
+    var _S460 : vec2<f32> = _S456.draft_dy_0 / _S458;
+    var _S461 : u32 = _S457 - u32(1);
+    var _S462 : u32 = (u32(1) << (_S461));
+    var _S463 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S459.x * _S460.y - _S459.y * _S460.x), 9.99999968265522539e-21f) * (square_1(f32(_S462)) / 3.0f)), 0.0f, f32(_S457) - 1.0f);
+    var _S464 : u32 = min(u32(_S463), max(_S457, u32(2)) - u32(2));
+    var _S465 : u32 = min(_S464 + u32(1), _S461);
+    var _S466 : u32 = (u32(1) << ((u32(2) * _S457)));
+    return mix(map_level_0(fabrics_0[_S455].albedo_map_0 + (_S466 - ((_S466 >> ((u32(2) * _S464))))) / u32(3), (_S462 >> (_S464)), _S456.uv_1), map_level_0(fabrics_0[_S455].albedo_map_0 + (_S466 - ((_S466 >> ((u32(2) * _S465))))) / u32(3), (_S462 >> (_S465)), _S456.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S463 - f32(_S464))) - 1.0f) / 3.0f)));
 }
 
-fn is_layered_0( _S439 : u32) -> bool
+fn is_layered_0( _S467 : u32) -> bool
 {
-    return (HAS_LAYERS_0 & (((fabrics_0[_S439].planes_0) != u32(0))));
+    return (HAS_LAYERS_0 & (((fabrics_0[_S467].planes_0) != u32(0))));
 }
 
-fn irregular_key_0( _S440 : u32,  _S441 : u32) -> u32
+fn irregular_key_0( _S468 : u32,  _S469 : u32) -> u32
 {
-    return hash_key_0(_S441, ((fabrics_0[_S440].seed_0) ^ (u32(1821285621))));
+    return hash_key_0(_S469, ((fabrics_0[_S468].seed_0) ^ (u32(1821285621))));
 }
 
-fn irregular_place_0( _S442 : u32,  _S443 : vec2<f32>,  _S444 : f32) -> vec2<f32>
+fn irregular_place_0( _S470 : u32,  _S471 : vec2<f32>,  _S472 : f32) -> vec2<f32>
 {
-    var _S445 : u32 = fabrics_0[_S442].warp_0;
-    var _S446 : u32 = fabrics_0[_S442].weft_0;
-    var _S447 : bool = (((((fabrics_0[_S442].is_irregular_0) != u32(0)) & ((!is_layered_0(_S442))))) & (((max(moved_share_0(fabrics_0[_S442].warp_0, _S444), moved_share_0(fabrics_0[_S442].weft_0, _S444))) > 0.0f)));
+    var _S473 : u32 = fabrics_0[_S470].warp_0;
+    var _S474 : u32 = fabrics_0[_S470].weft_0;
+    var _S475 : bool = (((((fabrics_0[_S470].is_irregular_0) != u32(0)) & ((!is_layered_0(_S470))))) & (((max(moved_share_0(fabrics_0[_S470].warp_0, _S472), moved_share_0(fabrics_0[_S470].weft_0, _S472))) > 0.0f)));
     var number_4 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S443;
+    var moved_0 : vec2<f32> = _S471;
     for(;;)
     {
-        if(number_4 < select(u32(0), u32(2), _S447))
+        if(number_4 < select(u32(0), u32(2), _S475))
         {
         }
         else
         {
             break;
         }
-        var _S448 : bool = number_4 == u32(0);
-        var _S449 : u32 = select(_S446, _S445, _S448);
-        var _S450 : vec2<f32> = select_vector_0(_S448, _S443, _S443.yx);
-        var _S451 : u32 = irregular_key_0(_S442, number_4);
-        var _S452 : f32 = _S450.x;
-        var _S453 : Cell_0 = locate_0(_S449, _S452);
-        var _S454 : f32 = irregular_thread_0(_S449, _S452, _S453);
-        var _S455 : f32 = select(1.0f, -1.0f, (_S453.across_0) < 0.0f);
-        var _S456 : vec2<f32> = vec2<f32>(0.0f);
-        var other_3 : vec2<f32> = _S456;
-        var own_2 : vec2<f32> = _S456;
+        var _S476 : bool = number_4 == u32(0);
+        var _S477 : u32 = select(_S474, _S473, _S476);
+        var _S478 : vec2<f32> = select_vector_0(_S476, _S471, _S471.yx);
+        var _S479 : u32 = irregular_key_0(_S470, number_4);
+        var _S480 : f32 = _S478.x;
+        var _S481 : Cell_0 = locate_0(_S477, _S480);
+        var _S482 : f32 = irregular_thread_0(_S477, _S480, _S481);
+        var _S483 : f32 = select(1.0f, -1.0f, (_S481.across_0) < 0.0f);
+        var _S484 : vec2<f32> = vec2<f32>(0.0f);
+        var other_3 : vec2<f32> = _S484;
+        var own_2 : vec2<f32> = _S484;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -2497,23 +2614,23 @@ fn irregular_place_0( _S442 : u32,  _S443 : vec2<f32>,  _S444 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S457 : vec2<f32> = irregular_at_0(_S449, _S451, _S454 + _S455 * f32(neighbour_0), _S450.y).xy;
-            var _S458 : u32 = neighbour_0 + u32(1);
+            var _S485 : vec2<f32> = irregular_at_0(_S477, _S479, _S482 + _S483 * f32(neighbour_0), _S478.y).xy;
+            var _S486 : u32 = neighbour_0 + u32(1);
             own_2 = other_3;
-            other_3 = _S457;
-            neighbour_0 = _S458;
+            other_3 = _S485;
+            neighbour_0 = _S486;
         }
-        var _S459 : f32 = _S453.below_0 + _S453.above_0;
-        var _S460 : f32 = min(_S453.half_width_1 / _S459, 0.5f);
-        var _S461 : f32 = min(_S460 * (2.0f + own_2.y + other_3.y), 1.0f);
-        var _S462 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
-        var _S463 : f32 = _S462.x;
-        var _S464 : f32 = _S461 * _S463 / (_S463 + _S462.y);
-        var _S465 : f32 = abs(_S453.across_0) / _S459;
-        var _S466 : f32 = 1.0f - _S461;
-        var _S467 : f32 = _S465 - _S464;
-        var _S468 : f32 = moved_share_0(_S449, _S444) * _S455 * _S459 * (select(select((_S467 - _S466) / max(_S461 - _S464, 9.99999997475242708e-07f) * _S460 + (1.0f - _S460), _S467 / max(_S466, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S460) + _S460, _S467 < _S466), _S465 * _S460 / _S464, _S467 < 0.0f) - _S465);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_0(_S448, vec2<f32>(_S468, 0.0f), vec2<f32>(0.0f, _S468));
+        var _S487 : f32 = _S481.below_0 + _S481.above_0;
+        var _S488 : f32 = min(_S481.half_width_1 / _S487, 0.5f);
+        var _S489 : f32 = min(_S488 * (2.0f + own_2.y + other_3.y), 1.0f);
+        var _S490 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
+        var _S491 : f32 = _S490.x;
+        var _S492 : f32 = _S489 * _S491 / (_S491 + _S490.y);
+        var _S493 : f32 = abs(_S481.across_0) / _S487;
+        var _S494 : f32 = 1.0f - _S489;
+        var _S495 : f32 = _S493 - _S492;
+        var _S496 : f32 = moved_share_0(_S477, _S472) * _S483 * _S487 * (select(select((_S495 - _S494) / max(_S489 - _S492, 9.99999997475242708e-07f) * _S488 + (1.0f - _S488), _S495 / max(_S494, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S488) + _S488, _S495 < _S494), _S493 * _S488 / _S492, _S495 < 0.0f) - _S493);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_0(_S476, vec2<f32>(_S496, 0.0f), vec2<f32>(0.0f, _S496));
         number_4 = number_4 + u32(1);
         moved_0 = moved_1;
     }
@@ -2525,13 +2642,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S469 : u32,  _S470 : vec2<u32>) -> f32
+fn visibility_at_0( _S497 : u32,  _S498 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S469 * frame_record_0.height_0 + _S470.y) * frame_record_0.width_0 + _S470.x];
+    return visibilities_0[(_S497 * frame_record_0.height_0 + _S498.y) * frame_record_0.width_0 + _S498.x];
 }
 
 struct LightSample_0
@@ -2541,52 +2658,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S471 : u32,  _S472 : u32) -> vec3<f32>
+fn environment_texel_0( _S499 : u32,  _S500 : u32) -> vec3<f32>
 {
-    var _S473 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S471 * frame_record_0.environment_columns_0 + _S472);
-    return vec3<f32>(scene_number_0(_S473), scene_number_0(_S473 + u32(1)), scene_number_0(_S473 + u32(2)));
+    var _S501 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S499 * frame_record_0.environment_columns_0 + _S500);
+    return vec3<f32>(scene_number_0(_S501), scene_number_0(_S501 + u32(1)), scene_number_0(_S501 + u32(2)));
 }
 
-fn sample_environment_0( _S474 : vec2<f32>,  _S475 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S502 : vec2<f32>,  _S503 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S476 : u32 = frame_record_0.environment_rows_0;
-    var _S477 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S474.y);
-    var _S478 : u32 = frame_record_0.environment_columns_0;
-    var _S479 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S477.index_5 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S474.x);
-    var _S480 : vec3<f32> = environment_texel_0(_S477.index_5, _S479.index_5);
-    (*_S475) = _S480 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S480), 9.99999968265522539e-21f)));
-    var _S481 : f32 = 3.14159274101257324f / f32(_S476);
-    var _S482 : f32 = mix(sine_cosine_0(f32(_S477.index_5) * _S481).y, sine_cosine_0(f32(_S477.index_5 + u32(1)) * _S481).y, _S477.remainder_0);
-    var _S483 : f32 = sqrt(max(1.0f - _S482 * _S482, 0.0f));
-    var _S484 : vec2<f32> = sine_cosine_0((f32(_S479.index_5) + _S479.remainder_0) * (6.28318548202514648f / f32(_S478)));
-    var _S485 : f32 = _S483 * _S484.x;
-    var _S486 : f32 = - _S483 * _S484.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S485 + frame_record_0.environment_sine_0 * _S486, _S482, frame_record_0.environment_cosine_0 * _S486 - frame_record_0.environment_sine_0 * _S485);
+    var _S504 : u32 = frame_record_0.environment_rows_0;
+    var _S505 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S502.y);
+    var _S506 : u32 = frame_record_0.environment_columns_0;
+    var _S507 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S505.index_5 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S502.x);
+    var _S508 : vec3<f32> = environment_texel_0(_S505.index_5, _S507.index_5);
+    (*_S503) = _S508 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S508), 9.99999968265522539e-21f)));
+    var _S509 : f32 = 3.14159274101257324f / f32(_S504);
+    var _S510 : f32 = mix(sine_cosine_0(f32(_S505.index_5) * _S509).y, sine_cosine_0(f32(_S505.index_5 + u32(1)) * _S509).y, _S505.remainder_0);
+    var _S511 : f32 = sqrt(max(1.0f - _S510 * _S510, 0.0f));
+    var _S512 : vec2<f32> = sine_cosine_0((f32(_S507.index_5) + _S507.remainder_0) * (6.28318548202514648f / f32(_S506)));
+    var _S513 : f32 = _S511 * _S512.x;
+    var _S514 : f32 = - _S511 * _S512.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S513 + frame_record_0.environment_sine_0 * _S514, _S510, frame_record_0.environment_cosine_0 * _S514 - frame_record_0.environment_sine_0 * _S513);
 }
 
-fn light_sample_0( _S487 : u32,  _S488 : vec2<u32>,  _S489 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S515 : u32,  _S516 : vec2<u32>,  _S517 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_1 = 1.00000001504746622e+30f;
-    var _S490 : u32 = frame_record_0.lights_0;
-    if(_S487 >= (frame_record_0.lights_0))
+    var _S518 : u32 = frame_record_0.lights_0;
+    if(_S515 >= (frame_record_0.lights_0))
     {
-        var weight_6 : vec3<f32>;
-        var _S491 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S488, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S487 - _S490), u32(3)), &(weight_6));
-        sample_1.towards_0 = _S491;
-        sample_1.irradiance_1 = weight_6 / vec3<f32>(f32(frame_record_0.environment_samples_0));
+        var weight_9 : vec3<f32>;
+        var _S519 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S516, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S515 - _S518), u32(3)), &(weight_9));
+        sample_1.towards_0 = _S519;
+        sample_1.irradiance_1 = weight_9 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_1;
     }
-    var _S492 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S487);
-    sample_1.irradiance_1 = vec3<f32>(_S492.red_0, _S492.green_0, _S492.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S492.x_7, _S492.y_1, _S492.z_1);
-    if((_S492.is_point_0) != u32(0))
+    var _S520 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S515);
+    sample_1.irradiance_1 = vec3<f32>(_S520.red_0, _S520.green_0, _S520.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S520.x_7, _S520.y_1, _S520.z_1);
+    if((_S520.is_point_0) != u32(0))
     {
-        var _S493 : vec3<f32> = sample_1.towards_0 - _S489;
-        var _S494 : f32 = max(square_0(_S493), 9.999999960041972e-13f);
-        sample_1.distance_1 = sqrt(_S494);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S494);
-        sample_1.towards_0 = normalize(_S493);
+        var _S521 : vec3<f32> = sample_1.towards_0 - _S517;
+        var _S522 : f32 = max(square_0(_S521), 9.999999960041972e-13f);
+        sample_1.distance_1 = sqrt(_S522);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S522);
+        sample_1.towards_0 = normalize(_S521);
     }
     return sample_1;
 }
@@ -2595,7 +2712,8 @@ struct Estimate_0
 {
      components_0 : Components_0,
      close_0 : CloseUp_0,
-     albedos_9 : FamilyAlbedos_0,
+     albedos_14 : FamilyAlbedos_0,
+     behind_4 : LayersBehind_0,
 };
 
 struct Regime_0
@@ -2605,22 +2723,22 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S495 : u32,  _S496 : Footprint_0,  _S497 : f32) -> Regime_0
+fn regime_of_0( _S523 : u32,  _S524 : Footprint_0,  _S525 : f32) -> Regime_0
 {
-    var _S498 : f32 = Footprint_spread_side_0(_S496);
-    var _S499 : f32 = clamp((binary_logarithm_0(max(_S498, 9.99999971718068537e-10f)) - fabrics_0[_S495].lobes_0.unit_level_0 - -0.51457315683364868f) / 1.51457309722900391f, 0.0f, 1.0f);
+    var _S526 : f32 = Footprint_spread_side_0(_S524);
+    var _S527 : f32 = clamp((binary_logarithm_0(max(_S526, 9.99999971718068537e-10f)) - fabrics_0[_S523].lobes_0.unit_level_0 - -0.51457315683364868f) / 1.51457309722900391f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S500 : f32 = _S499 * _S499 * (3.0f - 2.0f * _S499);
-    regime_0.prefiltered_0 = _S500;
-    var _S501 : f32 = _S498 * fabrics_0[_S495].lobes_0.threads_per_mm_0;
-    regime_0.threads_2 = _S501;
-    regime_0.points_0 = select(0.0f, clamp(_S501 * 12.0f, 1.0f, max(mix(8.0f, 4.0f, _S500) / _S497, 1.0f)), _S500 < 1.0f);
+    var _S528 : f32 = _S527 * _S527 * (3.0f - 2.0f * _S527);
+    regime_0.prefiltered_0 = _S528;
+    var _S529 : f32 = _S526 * fabrics_0[_S523].lobes_0.threads_per_mm_0;
+    regime_0.threads_2 = _S529;
+    regime_0.points_0 = select(0.0f, clamp(_S529 * 12.0f, 1.0f, max(mix(8.0f, 4.0f, _S528) / _S525, 1.0f)), _S528 < 1.0f);
     return regime_0;
 }
 
-fn varies_at_0( _S502 : u32,  _S503 : f32) -> bool
+fn varies_at_0( _S530 : u32,  _S531 : f32) -> bool
 {
-    return (((((fabrics_0[_S502].fibre_noise_0) > 0.0f) | (((fabrics_0[_S502].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S502].has_detail_0) != u32(0)) & ((_S503 >= 0.0f))))));
+    return (((((fabrics_0[_S530].fibre_noise_0) > 0.0f) | (((fabrics_0[_S530].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S530].has_detail_0) != u32(0)) & ((_S531 >= 0.0f))))));
 }
 
 struct Hit_0
@@ -2631,19 +2749,19 @@ struct Hit_0
      height_9 : f32,
 };
 
-fn whole_plane_0( _S504 : u32) -> Plane_0
+fn whole_plane_0( _S532 : u32) -> Plane_0
 {
     var plane_9 : Plane_0;
-    plane_9.warp_2 = fabrics_0[_S504].warp_0;
-    plane_9.weft_2 = fabrics_0[_S504].weft_0;
-    plane_9.run_words_1 = fabrics_0[_S504].run_words_0;
-    plane_9.ends_2 = fabrics_0[_S504].ends_1;
+    plane_9.warp_2 = fabrics_0[_S532].warp_0;
+    plane_9.weft_2 = fabrics_0[_S532].weft_0;
+    plane_9.run_words_1 = fabrics_0[_S532].run_words_0;
+    plane_9.ends_2 = fabrics_0[_S532].ends_1;
     plane_9.end_numbers_0 = u32(0);
     plane_9.pick_numbers_0 = u32(0);
-    plane_9.max_heights_1 = fabrics_0[_S504].max_heights_0;
-    plane_9.max_height_columns_1 = fabrics_0[_S504].max_height_columns_0;
-    plane_9.height_low_1 = fabrics_0[_S504].height_low_0;
-    plane_9.height_high_1 = fabrics_0[_S504].height_high_0;
+    plane_9.max_heights_1 = fabrics_0[_S532].max_heights_0;
+    plane_9.max_height_columns_1 = fabrics_0[_S532].max_height_columns_0;
+    plane_9.height_low_1 = fabrics_0[_S532].height_low_0;
+    plane_9.height_high_1 = fabrics_0[_S532].height_high_0;
     plane_9.front_level_0 = 0.0f;
     plane_9.back_level_0 = 0.0f;
     plane_9.start_x_0 = 0.0f;
@@ -2653,146 +2771,146 @@ fn whole_plane_0( _S504 : u32) -> Plane_0
     return plane_9;
 }
 
-fn plane_order_0( _S505 : u32,  _S506 : f32,  _S507 : f32,  _S508 : bool) -> u32
+fn plane_order_0( _S533 : u32,  _S534 : f32,  _S535 : f32,  _S536 : bool) -> u32
 {
-    var _S509 : u32 = select(u32(0), locate_varied_0(fabrics_0[_S505].plane_axes_0 + u32(1), _S507).thread_1 * fabrics_0[_S505].ends_1 + locate_varied_0(fabrics_0[_S505].plane_axes_0, _S506).thread_1, (fabrics_0[_S505].stacks_0) > u32(1));
-    return fabrics_0[_S505].plane_orders_0 + u32(2) * fabrics_0[_S505].planes_0 * (u32(2) * ((((words_0[fabrics_0[_S505].regions_0 + _S509 / u32(4)] >> ((u32(8) * (_S509 % u32(4)))))) & (u32(255)))) + select(u32(0), u32(1), _S508));
+    var _S537 : u32 = select(u32(0), locate_varied_0(fabrics_0[_S533].plane_axes_0 + u32(1), _S535).thread_1 * fabrics_0[_S533].ends_1 + locate_varied_0(fabrics_0[_S533].plane_axes_0, _S534).thread_1, (fabrics_0[_S533].stacks_0) > u32(1));
+    return fabrics_0[_S533].plane_orders_0 + u32(2) * fabrics_0[_S533].planes_0 * (u32(2) * ((((words_0[fabrics_0[_S533].regions_0 + _S537 / u32(4)] >> ((u32(8) * (_S537 % u32(4)))))) & (u32(255)))) + select(u32(0), u32(1), _S536));
 }
 
-fn first_bounds_0( _S510 : u32,  _S511 : u32,  _S512 : f32,  _S513 : f32,  _S514 : bool,  _S515 : bool,  _S516 : bool) -> vec3<f32>
+fn first_bounds_0( _S538 : u32,  _S539 : u32,  _S540 : f32,  _S541 : f32,  _S542 : bool,  _S543 : bool,  _S544 : bool) -> vec3<f32>
 {
-    var _S517 : vec3<f32> = bounds_in_0(plane_at_0(fabrics_0[_S510].plane_records_0 + words_0[_S511] * u32(16)), _S512, _S513, _S514, _S515, _S516);
-    var _S518 : Cell_0 = locate_varied_0(fabrics_0[_S510].plane_axes_0, _S512);
-    var _S519 : Cell_0 = locate_varied_0(fabrics_0[_S510].plane_axes_0 + u32(1), _S513);
-    var _S520 : bool = (fabrics_0[_S510].stacks_0) == u32(1);
-    return vec3<f32>(_S517.x + table_number_0(_S511 + u32(1)), min(_S517.y, select(select(_S518.below_0, _S518.above_0, _S515), 1.0e+06f, _S520)), min(_S517.z, select(select(_S519.below_0, _S519.above_0, _S516), 1.0e+06f, _S520)));
+    var _S545 : vec3<f32> = bounds_in_0(plane_at_0(fabrics_0[_S538].plane_records_0 + words_0[_S539] * u32(16)), _S540, _S541, _S542, _S543, _S544);
+    var _S546 : Cell_0 = locate_varied_0(fabrics_0[_S538].plane_axes_0, _S540);
+    var _S547 : Cell_0 = locate_varied_0(fabrics_0[_S538].plane_axes_0 + u32(1), _S541);
+    var _S548 : bool = (fabrics_0[_S538].stacks_0) == u32(1);
+    return vec3<f32>(_S545.x + table_number_0(_S539 + u32(1)), min(_S545.y, select(select(_S546.below_0, _S546.above_0, _S543), 1.0e+06f, _S548)), min(_S545.z, select(select(_S547.below_0, _S547.above_0, _S544), 1.0e+06f, _S548)));
 }
 
-fn plane_shown_0( _S521 : u32,  _S522 : f32,  _S523 : f32,  _S524 : bool,  _S525 : bool,  _S526 : bool) -> PlaneHere_0
+fn plane_shown_0( _S549 : u32,  _S550 : f32,  _S551 : f32,  _S552 : bool,  _S553 : bool,  _S554 : bool) -> PlaneHere_0
 {
     var here_6 : PlaneHere_0;
-    here_6.plane_5 = whole_plane_0(_S521);
+    here_6.plane_5 = whole_plane_0(_S549);
     here_6.number_2 = u32(0);
     here_6.level_1 = 0.0f;
     here_6.edge_x_0 = 1.0e+06f;
     here_6.edge_y_0 = 1.0e+06f;
     here_6.bounds_0 = vec3<f32>(0.0f);
-    if(!is_layered_0(_S521))
+    if(!is_layered_0(_S549))
     {
         return here_6;
     }
-    var _S527 : u32 = plane_order_0(_S521, _S522, _S523, _S524);
-    var _S528 : vec3<f32> = first_bounds_0(_S521, _S527, _S522, _S523, _S524, _S525, _S526);
-    here_6.bounds_0 = _S528;
-    var _S529 : bool = (fabrics_0[_S521].stacks_0) == u32(1);
-    here_6.edge_x_0 = select(_S528.y, 1.0e+06f, _S529);
-    here_6.edge_y_0 = select(_S528.z, 1.0e+06f, _S529);
+    var _S555 : u32 = plane_order_0(_S549, _S550, _S551, _S552);
+    var _S556 : vec3<f32> = first_bounds_0(_S549, _S555, _S550, _S551, _S552, _S553, _S554);
+    here_6.bounds_0 = _S556;
+    var _S557 : bool = (fabrics_0[_S549].stacks_0) == u32(1);
+    here_6.edge_x_0 = select(_S556.y, 1.0e+06f, _S557);
+    here_6.edge_y_0 = select(_S556.z, 1.0e+06f, _S557);
     var is_hole_0 : bool = true;
     var rank_1 : u32 = u32(0);
     for(;;)
     {
-        if(((rank_1 < (fabrics_0[_S521].planes_0)) & (is_hole_0)))
+        if(((rank_1 < (fabrics_0[_S549].planes_0)) & (is_hole_0)))
         {
         }
         else
         {
             break;
         }
-        var _S530 : u32 = _S527 + u32(2) * rank_1;
-        var _S531 : u32 = words_0[_S530];
-        here_6.number_2 = _S531;
-        here_6.level_1 = table_number_0(_S530 + u32(1));
-        here_6.plane_5 = plane_at_0(fabrics_0[_S521].plane_records_0 + _S531 * u32(16));
-        var _S532 : Cell_0 = locate_varied_0(here_6.plane_5.warp_2, _S522 - here_6.plane_5.start_x_0);
-        var _S533 : Cell_0 = locate_varied_0(here_6.plane_5.weft_2, _S523 - here_6.plane_5.start_y_0);
-        var is_hole_1 : bool = !((((abs(_S532.across_0)) < (_S532.half_width_1)) | (((abs(_S533.across_0)) < (_S533.half_width_1)))));
-        here_6.edge_x_0 = min(here_6.edge_x_0, select(1.0e+06f, hole_edge_0(_S532, _S525), is_hole_1));
-        here_6.edge_y_0 = min(here_6.edge_y_0, select(1.0e+06f, hole_edge_0(_S533, _S526), is_hole_1));
-        var _S534 : u32 = rank_1 + u32(1);
+        var _S558 : u32 = _S555 + u32(2) * rank_1;
+        var _S559 : u32 = words_0[_S558];
+        here_6.number_2 = _S559;
+        here_6.level_1 = table_number_0(_S558 + u32(1));
+        here_6.plane_5 = plane_at_0(fabrics_0[_S549].plane_records_0 + _S559 * u32(16));
+        var _S560 : Cell_0 = locate_varied_0(here_6.plane_5.warp_2, _S550 - here_6.plane_5.start_x_0);
+        var _S561 : Cell_0 = locate_varied_0(here_6.plane_5.weft_2, _S551 - here_6.plane_5.start_y_0);
+        var is_hole_1 : bool = !((((abs(_S560.across_0)) < (_S560.half_width_1)) | (((abs(_S561.across_0)) < (_S561.half_width_1)))));
+        here_6.edge_x_0 = min(here_6.edge_x_0, select(1.0e+06f, hole_edge_0(_S560, _S553), is_hole_1));
+        here_6.edge_y_0 = min(here_6.edge_y_0, select(1.0e+06f, hole_edge_0(_S561, _S554), is_hole_1));
+        var _S562 : u32 = rank_1 + u32(1);
         is_hole_0 = is_hole_1;
-        rank_1 = _S534;
+        rank_1 = _S562;
     }
     return here_6;
 }
 
-fn sample_at_0( _S535 : u32,  _S536 : f32,  _S537 : f32,  _S538 : bool) -> Sample_0
+fn sample_at_0( _S563 : u32,  _S564 : f32,  _S565 : f32,  _S566 : bool) -> Sample_0
 {
-    return sample_in_0(plane_shown_0(_S535, _S536, _S537, _S538, true, true), _S536, _S537, _S538);
+    return sample_in_0(plane_shown_0(_S563, _S564, _S565, _S566, true, true), _S564, _S565, _S566);
 }
 
-fn steps_per_length_0( _S539 : u32,  _S540 : SearchQuality_0,  _S541 : vec3<f32>) -> f32
+fn steps_per_length_0( _S567 : u32,  _S568 : SearchQuality_0,  _S569 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S541.x) * fabrics_0[_S539].threads_per_x_0, abs(_S541.y) * fabrics_0[_S539].threads_per_y_0) * _S540.steps_per_thread_0, abs(_S541.z) * fabrics_0[_S539].per_relief_0 * _S540.steps_per_relief_0);
+    return max(max(abs(_S569.x) * fabrics_0[_S567].threads_per_x_0, abs(_S569.y) * fabrics_0[_S567].threads_per_y_0) * _S568.steps_per_thread_0, abs(_S569.z) * fabrics_0[_S567].per_relief_0 * _S568.steps_per_relief_0);
 }
 
-fn plane_count_0( _S542 : u32) -> u32
+fn plane_count_0( _S570 : u32) -> u32
 {
-    return select(u32(1), fabrics_0[_S542].planes_0, is_layered_0(_S542));
+    return select(u32(1), fabrics_0[_S570].planes_0, is_layered_0(_S570));
 }
 
-fn probe_0( _S543 : u32,  _S544 : f32,  _S545 : f32,  _S546 : bool,  _S547 : bool,  _S548 : bool) -> Probe_0
+fn probe_0( _S571 : u32,  _S572 : f32,  _S573 : f32,  _S574 : bool,  _S575 : bool,  _S576 : bool) -> Probe_0
 {
-    var _S549 : PlaneHere_0 = plane_shown_0(_S543, _S544, _S545, _S546, _S547, _S548);
-    var _S550 : Sample_0 = sample_in_0(_S549, _S544, _S545, _S546);
+    var _S577 : PlaneHere_0 = plane_shown_0(_S571, _S572, _S573, _S574, _S575, _S576);
+    var _S578 : Sample_0 = sample_in_0(_S577, _S572, _S573, _S574);
     var probe_1 : Probe_0;
-    probe_1.height_5 = _S550.height_4;
-    probe_1.hole_4 = _S550.shown_2.hole_3;
-    probe_1.slope_x_1 = _S550.slope_x_0;
-    probe_1.slope_y_1 = _S550.slope_y_0;
-    var _S551 : bool = !is_layered_0(_S543);
-    probe_1.yarn_1 = select(_S550.crossing_3.weft_3.thread_1 * u32(2), _S550.crossing_3.warp_3.thread_1 * u32(2) + u32(1), _S550.shown_2.is_warp_2) * plane_count_0(_S543) + _S549.number_2;
-    probe_1.cell_max_0 = select(_S549.bounds_0.x, cell_maximum_0(_S549.plane_5, _S550.crossing_3), _S551);
-    probe_1.side_x_0 = select(_S549.bounds_0.y, select(_S550.crossing_3.warp_3.below_0, _S550.crossing_3.warp_3.above_0, _S547), _S551);
-    probe_1.side_y_0 = select(_S549.bounds_0.z, select(_S550.crossing_3.weft_3.below_0, _S550.crossing_3.weft_3.above_0, _S548), _S551);
-    probe_1.edge_x_1 = min(_S549.edge_x_0, outline_distance_0(_S550.crossing_3.warp_3, _S550.shown_2, _S550.run_2, !_S550.shown_2.is_warp_2, _S547));
-    probe_1.edge_y_1 = min(_S549.edge_y_0, outline_distance_0(_S550.crossing_3.weft_3, _S550.shown_2, _S550.run_2, _S550.shown_2.is_warp_2, _S548));
+    probe_1.height_5 = _S578.height_4;
+    probe_1.hole_4 = _S578.shown_2.hole_3;
+    probe_1.slope_x_1 = _S578.slope_x_0;
+    probe_1.slope_y_1 = _S578.slope_y_0;
+    var _S579 : bool = !is_layered_0(_S571);
+    probe_1.yarn_1 = select(_S578.crossing_3.weft_3.thread_1 * u32(2), _S578.crossing_3.warp_3.thread_1 * u32(2) + u32(1), _S578.shown_2.is_warp_2) * plane_count_0(_S571) + _S577.number_2;
+    probe_1.cell_max_0 = select(_S577.bounds_0.x, cell_maximum_0(_S577.plane_5, _S578.crossing_3), _S579);
+    probe_1.side_x_0 = select(_S577.bounds_0.y, select(_S578.crossing_3.warp_3.below_0, _S578.crossing_3.warp_3.above_0, _S575), _S579);
+    probe_1.side_y_0 = select(_S577.bounds_0.z, select(_S578.crossing_3.weft_3.below_0, _S578.crossing_3.weft_3.above_0, _S576), _S579);
+    probe_1.edge_x_1 = min(_S577.edge_x_0, outline_distance_0(_S578.crossing_3.warp_3, _S578.shown_2, _S578.run_2, !_S578.shown_2.is_warp_2, _S575));
+    probe_1.edge_y_1 = min(_S577.edge_y_0, outline_distance_0(_S578.crossing_3.weft_3, _S578.shown_2, _S578.run_2, _S578.shown_2.is_warp_2, _S576));
     return probe_1;
 }
 
-fn is_free_0( _S552 : u32,  _S553 : SearchQuality_0,  _S554 : vec3<f32>,  _S555 : vec3<f32>,  _S556 : bool,  _S557 : f32) -> bool
+fn is_free_0( _S580 : u32,  _S581 : SearchQuality_0,  _S582 : vec3<f32>,  _S583 : vec3<f32>,  _S584 : bool,  _S585 : f32) -> bool
 {
-    var _S558 : f32 = _S555.z;
-    if(_S558 <= 0.0f)
+    var _S586 : f32 = _S583.z;
+    if(_S586 <= 0.0f)
     {
         return false;
     }
-    var _S559 : f32 = 1.0f / max(_S553.shadow_share_0 * steps_per_length_0(_S552, _S553, _S555), 9.99999971718068537e-10f);
-    var _S560 : StepControl_0 = step_control_0(_S555.xy, _S559);
+    var _S587 : f32 = 1.0f / max(_S581.shadow_share_0 * steps_per_length_0(_S580, _S581, _S583), 9.99999971718068537e-10f);
+    var _S588 : StepControl_0 = step_control_0(_S583.xy, _S587);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_2 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S554.z + _S558 * distance_2) < _S557))))
+        if(((count_4 < u32(1024)) & (((_S582.z + _S586 * distance_2) < _S585))))
         {
         }
         else
         {
             break;
         }
-        var _S561 : vec3<f32> = _S554 + _S555 * vec3<f32>(distance_2);
-        var _S562 : Probe_0 = probe_0(_S552, _S561.x, _S561.y, _S556, _S560.right_1, _S560.up_1);
-        var _S563 : f32 = _S561.z;
-        var _S564 : f32 = _S563 - _S562.height_5;
-        var _S565 : f32 = _S558 - _S562.slope_x_1 * _S555.x - _S562.slope_y_1 * _S555.y;
-        if(((!_S562.hole_4) & ((_S564 < 0.0f))))
+        var _S589 : vec3<f32> = _S582 + _S583 * vec3<f32>(distance_2);
+        var _S590 : Probe_0 = probe_0(_S580, _S589.x, _S589.y, _S584, _S588.right_1, _S588.up_1);
+        var _S591 : f32 = _S589.z;
+        var _S592 : f32 = _S591 - _S590.height_5;
+        var _S593 : f32 = _S586 - _S590.slope_x_1 * _S583.x - _S590.slope_y_1 * _S583.y;
+        if(((!_S590.hole_4) & ((_S592 < 0.0f))))
         {
             return false;
         }
-        var _S566 : f32 = way_back_to_dip_0(previous_3, _S564, _S565, last_step_0, _S562);
-        if(_S566 >= 0.0f)
+        var _S594 : f32 = way_back_to_dip_0(previous_3, _S592, _S593, last_step_0, _S590);
+        if(_S594 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S566;
-            distance_2 = distance_2 - _S566;
+            var last_step_1 : f32 = last_step_0 - _S594;
+            distance_2 = distance_2 - _S594;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S567 : bool = _S563 > (_S562.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S560, _S562, _S564, _S565), max(StepControl_to_cell_exit_0(_S560, _S562.side_x_0, _S562.side_y_0), _S559), _S567);
+        var _S595 : bool = _S591 > (_S590.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S588, _S590, _S592, _S593), max(StepControl_to_cell_exit_0(_S588, _S590.side_x_0, _S590.side_y_0), _S587), _S595);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S564, _S565, _S562, _S567);
+        previous_3 = after_sample_0(_S592, _S593, _S590, _S595);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -2800,13 +2918,13 @@ fn is_free_0( _S552 : u32,  _S553 : SearchQuality_0,  _S554 : vec3<f32>,  _S555 
     return true;
 }
 
-fn passes_through_0( _S568 : u32,  _S569 : SearchQuality_0,  _S570 : f32,  _S571 : f32,  _S572 : vec3<f32>,  _S573 : bool) -> bool
+fn passes_through_0( _S596 : u32,  _S597 : SearchQuality_0,  _S598 : f32,  _S599 : f32,  _S600 : vec3<f32>,  _S601 : bool) -> bool
 {
-    if(!sample_at_0(_S568, _S570, _S571, _S573).shown_2.hole_3)
+    if(!sample_at_0(_S596, _S598, _S599, _S601).shown_2.hole_3)
     {
         return false;
     }
-    var _S574 : vec3<f32> = vec3<f32>(_S570, _S571, 0.0f);
+    var _S602 : vec3<f32> = vec3<f32>(_S598, _S599, 0.0f);
     var passes_0 : bool = true;
     var side_2 : u32 = u32(0);
     for(;;)
@@ -2818,10 +2936,10 @@ fn passes_through_0( _S568 : u32,  _S569 : SearchQuality_0,  _S570 : f32,  _S571
         {
             break;
         }
-        var _S575 : bool = is_free_0(_S568, _S569, _S574, select_vector_1(side_2 == u32(0), _S572, vec3<f32>(- _S572.x, - _S572.y, _S572.z)), _S573 != (side_2 == u32(1)), fabrics_0[_S568].height_high_0);
-        var _S576 : u32 = side_2 + u32(1);
-        passes_0 = _S575;
-        side_2 = _S576;
+        var _S603 : bool = is_free_0(_S596, _S597, _S602, select_vector_1(side_2 == u32(0), _S600, vec3<f32>(- _S600.x, - _S600.y, _S600.z)), _S601 != (side_2 == u32(1)), fabrics_0[_S596].height_high_0);
+        var _S604 : u32 = side_2 + u32(1);
+        passes_0 = _S603;
+        side_2 = _S604;
     }
     return passes_0;
 }
@@ -2836,40 +2954,40 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn plane_of_0( _S577 : u32,  _S578 : u32) -> Plane_0
+fn plane_of_0( _S605 : u32,  _S606 : u32) -> Plane_0
 {
-    if(!is_layered_0(_S577))
+    if(!is_layered_0(_S605))
     {
-        return whole_plane_0(_S577);
+        return whole_plane_0(_S605);
     }
-    return plane_at_0(fabrics_0[_S577].plane_records_0 + _S578 * u32(16));
+    return plane_at_0(fabrics_0[_S605].plane_records_0 + _S606 * u32(16));
 }
 
-fn max_height_along_0( _S579 : u32,  _S580 : f32,  _S581 : f32,  _S582 : f32,  _S583 : vec3<f32>,  _S584 : bool) -> f32
+fn max_height_along_0( _S607 : u32,  _S608 : f32,  _S609 : f32,  _S610 : f32,  _S611 : vec3<f32>,  _S612 : bool) -> f32
 {
-    var _S585 : f32 = _S583.x;
-    var _S586 : f32 = _S583.y;
-    var _S587 : u32 = select(u32(0), u32(1), _S585 > 0.0f) + select(u32(0), u32(2), _S586 > 0.0f);
-    var _S588 : f32 = max(abs(_S585) * fabrics_0[_S579].threads_per_x_0, abs(_S586) * fabrics_0[_S579].threads_per_y_0) / _S583.z;
+    var _S613 : f32 = _S611.x;
+    var _S614 : f32 = _S611.y;
+    var _S615 : u32 = select(u32(0), u32(1), _S613 > 0.0f) + select(u32(0), u32(2), _S614 > 0.0f);
+    var _S616 : f32 = max(abs(_S613) * fabrics_0[_S607].threads_per_x_0, abs(_S614) * fabrics_0[_S607].threads_per_y_0) / _S611.z;
     var levels_4 : vec4<f32> = vec4<f32>(-1.00000001504746622e+30f);
     var number_5 : u32 = u32(0);
     for(;;)
     {
-        if(number_5 < (plane_count_0(_S579)))
+        if(number_5 < (plane_count_0(_S607)))
         {
         }
         else
         {
             break;
         }
-        var _S589 : Plane_0 = plane_of_0(_S579, number_5);
-        var _S590 : u32 = (words_0[_S589.max_heights_1 + u32(4) * (locate_0(_S589.weft_2, _S581 - _S589.start_y_0).thread_1 / u32(2) * _S589.max_height_columns_1 + locate_0(_S589.warp_2, _S580 - _S589.start_x_0).thread_1 / u32(2)) + _S587] >> (u32(select(i32(0), i32(4), _S584))));
-        var _S591 : vec4<f32> = max(levels_4, vec4<f32>(f32((_S590 & (u32(15)))), f32((((_S590 >> (u32(8)))) & (u32(15)))), f32((((_S590 >> (u32(16)))) & (u32(15)))), f32((((_S590 >> (u32(24)))) & (u32(15))))) * vec4<f32>(0.06666667014360428f) * vec4<f32>(_S589.height_high_1) + vec4<f32>(select(_S589.front_level_0, _S589.back_level_0, _S584)));
-        var _S592 : u32 = number_5 + u32(1);
-        levels_4 = _S591;
-        number_5 = _S592;
+        var _S617 : Plane_0 = plane_of_0(_S607, number_5);
+        var _S618 : u32 = (words_0[_S617.max_heights_1 + u32(4) * (locate_0(_S617.weft_2, _S609 - _S617.start_y_0).thread_1 / u32(2) * _S617.max_height_columns_1 + locate_0(_S617.warp_2, _S608 - _S617.start_x_0).thread_1 / u32(2)) + _S615] >> (u32(select(i32(0), i32(4), _S612))));
+        var _S619 : vec4<f32> = max(levels_4, vec4<f32>(f32((_S618 & (u32(15)))), f32((((_S618 >> (u32(8)))) & (u32(15)))), f32((((_S618 >> (u32(16)))) & (u32(15)))), f32((((_S618 >> (u32(24)))) & (u32(15))))) * vec4<f32>(0.06666667014360428f) * vec4<f32>(_S617.height_high_1) + vec4<f32>(select(_S617.front_level_0, _S617.back_level_0, _S612)));
+        var _S620 : u32 = number_5 + u32(1);
+        levels_4 = _S619;
+        number_5 = _S620;
     }
-    var max_height_0 : f32 = fabrics_0[_S579].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S607].height_high_0;
     var number_6 : i32 = i32(3);
     for(;;)
     {
@@ -2880,7 +2998,7 @@ fn max_height_along_0( _S579 : u32,  _S580 : f32,  _S581 : f32,  _S582 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S582) * _S588) <= (PYRAMID_RADII_0[number_6]))
+        if(((max_height_0 - _S610) * _S616) <= (PYRAMID_RADII_0[number_6]))
         {
             max_height_0 = min(max_height_0, levels_4[number_6]);
         }
@@ -2889,20 +3007,20 @@ fn max_height_along_0( _S579 : u32,  _S580 : f32,  _S581 : f32,  _S582 : f32,  _
     return max_height_0;
 }
 
-fn cell_bounds_0( _S593 : u32,  _S594 : f32,  _S595 : f32,  _S596 : bool,  _S597 : bool,  _S598 : bool) -> vec3<f32>
+fn cell_bounds_0( _S621 : u32,  _S622 : f32,  _S623 : f32,  _S624 : bool,  _S625 : bool,  _S626 : bool) -> vec3<f32>
 {
-    if(is_layered_0(_S593))
+    if(is_layered_0(_S621))
     {
-        return first_bounds_0(_S593, plane_order_0(_S593, _S594, _S595, _S596), _S594, _S595, _S596, _S597, _S598);
+        return first_bounds_0(_S621, plane_order_0(_S621, _S622, _S623, _S624), _S622, _S623, _S624, _S625, _S626);
     }
-    return bounds_in_0(whole_plane_0(_S593), _S594, _S595, _S596, _S597, _S598);
+    return bounds_in_0(whole_plane_0(_S621), _S622, _S623, _S624, _S625, _S626);
 }
 
-fn first_sample_height_0( _S599 : u32,  _S600 : ViewRay_0,  _S601 : StepControl_0,  _S602 : bool) -> f32
+fn first_sample_height_0( _S627 : u32,  _S628 : ViewRay_0,  _S629 : StepControl_0,  _S630 : bool) -> f32
 {
-    var _S603 : f32 = max_height_along_0(_S599, _S600.origin_0.x, _S600.origin_0.y, 0.0f, vec3<f32>(_S600.slope_1, 1.0f), _S602);
+    var _S631 : f32 = max_height_along_0(_S627, _S628.origin_0.x, _S628.origin_0.y, 0.0f, vec3<f32>(_S628.slope_1, 1.0f), _S630);
     var count_5 : u32 = u32(0);
-    var height_11 : f32 = _S603;
+    var height_11 : f32 = _S631;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -2912,12 +3030,12 @@ fn first_sample_height_0( _S599 : u32,  _S600 : ViewRay_0,  _S601 : StepControl_
         {
             break;
         }
-        var _S604 : vec2<f32> = ViewRay_at_0(_S600, height_11);
-        var _S605 : vec3<f32> = cell_bounds_0(_S599, _S604.x, _S604.y, _S602, _S601.right_1, _S601.up_1);
-        var _S606 : f32 = height_11 - _S605.x;
-        var _S607 : f32 = StepControl_to_cell_exit_0(_S601, _S605.y, _S605.z);
-        var height_12 : f32 = height_11 - clamp(_S606, 0.0f, _S607);
-        if(_S606 <= _S607)
+        var _S632 : vec2<f32> = ViewRay_at_0(_S628, height_11);
+        var _S633 : vec3<f32> = cell_bounds_0(_S627, _S632.x, _S632.y, _S630, _S629.right_1, _S629.up_1);
+        var _S634 : f32 = height_11 - _S633.x;
+        var _S635 : f32 = StepControl_to_cell_exit_0(_S629, _S633.y, _S633.z);
+        var height_12 : f32 = height_11 - clamp(_S634, 0.0f, _S635);
+        if(_S634 <= _S635)
         {
             height_11 = height_12;
             break;
@@ -2928,12 +3046,12 @@ fn first_sample_height_0( _S599 : u32,  _S600 : ViewRay_0,  _S601 : StepControl_
     return height_11;
 }
 
-fn search_down_0( _S608 : u32,  _S609 : ViewRay_0,  _S610 : StepControl_0,  _S611 : bool) -> ViewRayEnd_0
+fn search_down_0( _S636 : u32,  _S637 : ViewRay_0,  _S638 : StepControl_0,  _S639 : bool) -> ViewRayEnd_0
 {
-    var _S612 : f32 = fabrics_0[_S608].height_low_0 - (fabrics_0[_S608].height_high_0 - fabrics_0[_S608].height_low_0);
+    var _S640 : f32 = fabrics_0[_S636].height_low_0 - (fabrics_0[_S636].height_high_0 - fabrics_0[_S636].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_10 = first_sample_height_0(_S608, _S609, _S610, _S611);
-    end_1.last_step_3 = _S610.epsilon_0;
+    end_1.height_10 = first_sample_height_0(_S636, _S637, _S638, _S639);
+    end_1.last_step_3 = _S638.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_2 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -2948,300 +3066,301 @@ fn search_down_0( _S608 : u32,  _S609 : ViewRay_0,  _S610 : StepControl_0,  _S61
         {
             break;
         }
-        var _S613 : vec2<f32> = ViewRay_at_0(_S609, end_1.height_10);
-        var _S614 : Probe_0 = probe_0(_S608, _S613.x, _S613.y, _S611, _S610.right_1, _S610.up_1);
-        var _S615 : f32 = end_1.height_10 - _S614.height_5;
-        var _S616 : f32 = ViewRay_rate_0(_S609, _S614);
-        end_1.depth_2 = - _S615;
-        end_1.rate_4 = _S616;
-        var _S617 : bool = !_S614.hole_4;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S617))) & (((end_1.previous_4.yarn_0) == (_S614.yarn_1))));
-        if((((_S617 & ((_S615 <= 0.0f)))) | (((end_1.height_10) <= _S612))))
+        var _S641 : vec2<f32> = ViewRay_at_0(_S637, end_1.height_10);
+        var _S642 : Probe_0 = probe_0(_S636, _S641.x, _S641.y, _S639, _S638.right_1, _S638.up_1);
+        var _S643 : f32 = end_1.height_10 - _S642.height_5;
+        var _S644 : f32 = ViewRay_rate_0(_S637, _S642);
+        end_1.depth_2 = - _S643;
+        end_1.rate_4 = _S644;
+        var _S645 : bool = !_S642.hole_4;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S645))) & (((end_1.previous_4.yarn_0) == (_S642.yarn_1))));
+        if((((_S645 & ((_S643 <= 0.0f)))) | (((end_1.height_10) <= _S640))))
         {
             break;
         }
-        var _S618 : f32 = way_back_to_dip_0(end_1.previous_4, _S615, _S616, end_1.last_step_3, _S614);
-        if(_S618 >= 0.0f)
+        var _S646 : f32 = way_back_to_dip_0(end_1.previous_4, _S643, _S644, end_1.last_step_3, _S642);
+        if(_S646 >= 0.0f)
         {
-            end_1.height_10 = end_1.height_10 + _S618;
-            end_1.last_step_3 = end_1.last_step_3 - _S618;
+            end_1.height_10 = end_1.height_10 + _S646;
+            end_1.last_step_3 = end_1.last_step_3 - _S646;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S619 : f32 = min(StepControl_to_cell_exit_0(_S610, _S614.side_x_0, _S614.side_y_0), end_1.height_10 - _S614.cell_max_0);
-        var _S620 : f32 = StepControl_to_next_sample_0(_S610, _S614, _S615, _S616);
-        end_1.previous_4 = after_sample_0(_S615, _S616, _S614, _S619 > _S620);
-        var _S621 : f32 = max(_S619, _S620);
-        end_1.last_step_3 = _S621;
-        end_1.height_10 = end_1.height_10 - _S621;
+        var _S647 : f32 = min(StepControl_to_cell_exit_0(_S638, _S642.side_x_0, _S642.side_y_0), end_1.height_10 - _S642.cell_max_0);
+        var _S648 : f32 = StepControl_to_next_sample_0(_S638, _S642, _S643, _S644);
+        end_1.previous_4 = after_sample_0(_S643, _S644, _S642, _S647 > _S648);
+        var _S649 : f32 = max(_S647, _S648);
+        end_1.last_step_3 = _S649;
+        end_1.height_10 = end_1.height_10 - _S649;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S622 : u32,  _S623 : ViewRay_0,  _S624 : StepControl_0,  _S625 : bool,  _S626 : ViewRayEnd_0,  _S627 : u32) -> f32
+fn refined_height_0( _S650 : u32,  _S651 : ViewRay_0,  _S652 : StepControl_0,  _S653 : bool,  _S654 : ViewRayEnd_0,  _S655 : u32) -> f32
 {
-    var _S628 : f32 = fabrics_0[_S622].height_high_0 - fabrics_0[_S622].height_low_0;
-    var above_2 : f32 = _S626.height_10 + _S626.last_step_3;
-    var above_gap_1 : f32 = clamp(_S626.previous_4.clearance_0, 0.0f, _S628);
-    var under_gap_1 : f32 = clamp(_S626.depth_2, 0.0f, _S628);
-    var middle_0 : f32 = select(between_0(above_2, _S626.height_10, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S626.previous_4.rate_0 * _S626.last_step_3, _S626.rate_4 * _S626.last_step_3) * _S626.last_step_3, _S626.smooth_0);
+    var _S656 : f32 = fabrics_0[_S650].height_high_0 - fabrics_0[_S650].height_low_0;
+    var above_2 : f32 = _S654.height_10 + _S654.last_step_3;
+    var above_gap_1 : f32 = clamp(_S654.previous_4.clearance_0, 0.0f, _S656);
+    var under_gap_1 : f32 = clamp(_S654.depth_2, 0.0f, _S656);
+    var middle_0 : f32 = select(between_0(above_2, _S654.height_10, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S654.previous_4.rate_0 * _S654.last_step_3, _S654.rate_4 * _S654.last_step_3) * _S654.last_step_3, _S654.smooth_0);
     var side_3 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S626.height_10;
+    var under_1 : f32 = _S654.height_10;
     var above_3 : f32 = above_2;
     var i_2 : u32 = u32(0);
     for(;;)
     {
-        if(i_2 < _S627)
+        if(i_2 < _S655)
         {
         }
         else
         {
             break;
         }
-        var _S629 : vec2<f32> = ViewRay_at_0(_S623, middle_0);
-        var _S630 : Probe_0 = probe_0(_S622, _S629.x, _S629.y, _S625, _S624.right_1, _S624.up_1);
-        var _S631 : f32 = clamp(middle_0 - select(_S630.height_5, -1.0e+09f, _S630.hole_4), - _S628, _S628);
-        if(_S631 <= 0.0f)
+        var _S657 : vec2<f32> = ViewRay_at_0(_S651, middle_0);
+        var _S658 : Probe_0 = probe_0(_S650, _S657.x, _S657.y, _S653, _S652.right_1, _S652.up_1);
+        var _S659 : f32 = clamp(middle_0 - select(_S658.height_5, -1.0e+09f, _S658.hole_4), - _S656, _S656);
+        if(_S659 <= 0.0f)
         {
-            var _S632 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
-            var _S633 : f32 = - _S631;
+            var _S660 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
+            var _S661 : f32 = - _S659;
             under_1 = middle_0;
-            above_gap_2 = _S632;
-            under_gap_2 = _S633;
+            above_gap_2 = _S660;
+            under_gap_2 = _S661;
             side_3 = 1.0f;
         }
         else
         {
-            var _S634 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
+            var _S662 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S631;
-            under_gap_2 = _S634;
+            above_gap_2 = _S659;
+            under_gap_2 = _S662;
             side_3 = -1.0f;
         }
-        var _S635 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S631 / min(ViewRay_rate_0(_S623, _S630), -9.99999997475242708e-07f), under_1, above_3), _S626.smooth_0);
-        var _S636 : u32 = i_2 + u32(1);
-        middle_0 = _S635;
-        i_2 = _S636;
+        var _S663 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S659 / min(ViewRay_rate_0(_S651, _S658), -9.99999997475242708e-07f), under_1, above_3), _S654.smooth_0);
+        var _S664 : u32 = i_2 + u32(1);
+        middle_0 = _S663;
+        i_2 = _S664;
     }
-    return select(under_1, middle_0, _S626.smooth_0);
+    return select(under_1, middle_0, _S654.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S637 : u32,  _S638 : SearchQuality_0,  _S639 : f32,  _S640 : f32,  _S641 : vec3<f32>,  _S642 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S665 : u32,  _S666 : SearchQuality_0,  _S667 : f32,  _S668 : f32,  _S669 : vec3<f32>,  _S670 : bool) -> Hit_0
 {
-    var _S643 : f32 = max(_S641.z, 0.00009999999747379f);
+    var _S671 : f32 = max(_S669.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S639, _S640);
-    var _S644 : vec2<f32> = _S641.xy / vec2<f32>(_S643);
-    ray_0.slope_1 = _S644;
-    var _S645 : StepControl_0 = step_control_0((vec2<f32>(0) - _S644), 1.0f / max(steps_per_length_0(_S637, _S638, _S641) / _S643, 9.99999971718068537e-10f));
-    var _S646 : ViewRayEnd_0 = search_down_0(_S637, ray_0, _S645, _S642);
+    ray_0.origin_0 = vec2<f32>(_S667, _S668);
+    var _S672 : vec2<f32> = _S669.xy / vec2<f32>(_S671);
+    ray_0.slope_1 = _S672;
+    var _S673 : StepControl_0 = step_control_0((vec2<f32>(0) - _S672), 1.0f / max(steps_per_length_0(_S665, _S666, _S669) / _S671, 9.99999971718068537e-10f));
+    var _S674 : ViewRayEnd_0 = search_down_0(_S665, ray_0, _S673, _S670);
     var hit_0 : Hit_0;
     hit_0.hole_7 = false;
-    var _S647 : f32 = refined_height_0(_S637, ray_0, _S645, _S642, _S646, _S638.refinements_0);
-    hit_0.height_9 = _S647;
-    var _S648 : vec2<f32> = ViewRay_at_0(ray_0, _S647);
-    hit_0.x_21 = _S648.x;
-    hit_0.y_14 = _S648.y;
+    var _S675 : f32 = refined_height_0(_S665, ray_0, _S673, _S670, _S674, _S666.refinements_0);
+    hit_0.height_9 = _S675;
+    var _S676 : vec2<f32> = ViewRay_at_0(ray_0, _S675);
+    hit_0.x_21 = _S676.x;
+    hit_0.y_14 = _S676.y;
     return hit_0;
 }
 
-fn first_hit_0( _S649 : u32,  _S650 : SearchQuality_0,  _S651 : f32,  _S652 : f32,  _S653 : vec3<f32>,  _S654 : bool) -> Hit_0
+fn first_hit_0( _S677 : u32,  _S678 : SearchQuality_0,  _S679 : f32,  _S680 : f32,  _S681 : vec3<f32>,  _S682 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S649, _S650, _S651, _S652, _S653, _S654))
+    if(!passes_through_0(_S677, _S678, _S679, _S680, _S681, _S682))
     {
-        return first_hit_of_yarn_0(_S649, _S650, _S651, _S652, _S653, _S654);
+        return first_hit_of_yarn_0(_S677, _S678, _S679, _S680, _S681, _S682);
     }
     var hit_1 : Hit_0;
-    hit_1.x_21 = _S651;
-    hit_1.y_14 = _S652;
+    hit_1.x_21 = _S679;
+    hit_1.y_14 = _S680;
     hit_1.height_9 = 0.0f;
     hit_1.hole_7 = true;
     return hit_1;
 }
 
-fn surface_of_0( _S655 : u32,  _S656 : Sample_0,  _S657 : f32,  _S658 : f32,  _S659 : bool) -> SurfacePoint_0
+fn surface_of_0( _S683 : u32,  _S684 : Sample_0,  _S685 : f32,  _S686 : f32,  _S687 : bool) -> SurfacePoint_0
 {
-    var _S660 : u32 = select(fabrics_0[_S655].weft_0, fabrics_0[_S655].warp_0, _S656.shown_2.is_warp_2);
-    var _S661 : f32 = families_0[_S660].twist_sine_0 * select(1.0f, -1.0f, _S659);
-    var _S662 : f32 = families_0[_S660].twist_cosine_0;
-    var _S663 : f32 = select(-1.0f, 1.0f, _S656.shown_2.is_warp_2);
-    var _S664 : vec2<f32> = fibre_direction_0(_S656.slope_across_0, _S663 * _S656.slope_along_0, _S661, families_0[_S660].twist_cosine_0);
-    var _S665 : f32 = _S664.x;
-    var _S666 : f32 = _S664.y;
-    var _S667 : f32 = select(_S656.slope_y_0, _S656.slope_x_0, _S656.shown_2.is_warp_2) * _S665 + _S663 * select(_S656.slope_x_0, _S656.slope_y_0, _S656.shown_2.is_warp_2) * _S666;
-    var _S668 : f32 = select(_S656.crossing_3.weft_3.half_width_1, _S656.crossing_3.warp_3.half_width_1, _S656.shown_2.is_warp_2) * 1.0154266357421875f;
-    var _S669 : f32 = _S668 * arc_sine_0(clamp(_S656.section_1.across_3 / _S668, -1.0f, 1.0f));
-    var _S670 : f32 = select(_S656.here_0.plane_5.start_x_0 - _S657, _S658 - _S656.here_0.plane_5.start_y_0, _S656.shown_2.is_warp_2);
+    var _S688 : u32 = select(fabrics_0[_S683].weft_0, fabrics_0[_S683].warp_0, _S684.shown_2.is_warp_2);
+    var _S689 : f32 = families_0[_S688].twist_sine_0 * select(1.0f, -1.0f, _S687);
+    var _S690 : f32 = families_0[_S688].twist_cosine_0;
+    var _S691 : f32 = select(-1.0f, 1.0f, _S684.shown_2.is_warp_2);
+    var _S692 : vec2<f32> = fibre_direction_0(_S684.slope_across_0, _S691 * _S684.slope_along_0, _S689, families_0[_S688].twist_cosine_0);
+    var _S693 : f32 = _S692.x;
+    var _S694 : f32 = _S692.y;
+    var _S695 : f32 = select(_S684.slope_y_0, _S684.slope_x_0, _S684.shown_2.is_warp_2) * _S693 + _S691 * select(_S684.slope_x_0, _S684.slope_y_0, _S684.shown_2.is_warp_2) * _S694;
+    var _S696 : f32 = select(_S684.crossing_3.weft_3.half_width_1, _S684.crossing_3.warp_3.half_width_1, _S684.shown_2.is_warp_2) * 1.0154266357421875f;
+    var _S697 : f32 = _S696 * arc_sine_0(clamp(_S684.section_1.across_3 / _S696, -1.0f, 1.0f));
+    var _S698 : f32 = select(_S684.here_0.plane_5.start_x_0 - _S685, _S686 - _S684.here_0.plane_5.start_y_0, _S684.shown_2.is_warp_2);
     var point_4 : SurfacePoint_0;
-    point_4.hole_0 = _S656.shown_2.hole_3;
-    point_4.is_warp_0 = _S656.shown_2.is_warp_2;
-    point_4.warp_thread_0 = _S656.crossing_3.warp_3.thread_1;
-    point_4.weft_thread_0 = _S656.crossing_3.weft_3.thread_1;
-    if(is_layered_0(_S655))
+    point_4.hole_0 = _S684.shown_2.hole_3;
+    point_4.is_warp_0 = _S684.shown_2.is_warp_2;
+    point_4.warp_thread_0 = _S684.crossing_3.warp_3.thread_1;
+    point_4.weft_thread_0 = _S684.crossing_3.weft_3.thread_1;
+    if(is_layered_0(_S683))
     {
-        point_4.warp_thread_0 = words_0[_S656.here_0.plane_5.end_numbers_0 + point_4.warp_thread_0];
-        point_4.weft_thread_0 = words_0[_S656.here_0.plane_5.pick_numbers_0 + point_4.weft_thread_0];
+        point_4.warp_thread_0 = words_0[_S684.here_0.plane_5.end_numbers_0 + point_4.warp_thread_0];
+        point_4.weft_thread_0 = words_0[_S684.here_0.plane_5.pick_numbers_0 + point_4.weft_thread_0];
     }
-    point_4.height_2 = _S656.height_4;
-    point_4.plane_0 = _S656.here_0.level_1;
-    point_4.normal_1 = normalize(vec3<f32>(- _S656.slope_x_0, - _S656.slope_y_0, 1.0f));
-    point_4.tangent_0 = normalize(select_vector_1(_S656.shown_2.is_warp_2, vec3<f32>(_S665, _S666, _S667), vec3<f32>(- _S666, _S665, _S667)));
-    point_4.across_1 = _S656.section_1.across_3;
-    point_4.fibre_across_0 = _S669 * _S662 + _S670 * _S661;
-    point_4.fibre_along_0 = _S670 * _S662 - _S669 * _S661;
-    var _S671 : f32 = run_share_0(_S656.shown_2.word_0);
-    point_4.shown_share_0 = select(1.0f - _S671, _S671, _S656.shown_2.on_top_0);
-    point_4.x_8 = _S657;
-    point_4.y_2 = _S658;
+    point_4.height_2 = _S684.height_4;
+    point_4.plane_0 = _S684.here_0.level_1;
+    point_4.layer_0 = _S684.here_0.number_2;
+    point_4.normal_1 = normalize(vec3<f32>(- _S684.slope_x_0, - _S684.slope_y_0, 1.0f));
+    point_4.tangent_0 = normalize(select_vector_1(_S684.shown_2.is_warp_2, vec3<f32>(_S693, _S694, _S695), vec3<f32>(- _S694, _S693, _S695)));
+    point_4.across_1 = _S684.section_1.across_3;
+    point_4.fibre_across_0 = _S697 * _S690 + _S698 * _S689;
+    point_4.fibre_along_0 = _S698 * _S690 - _S697 * _S689;
+    var _S699 : f32 = run_share_0(_S684.shown_2.word_0);
+    point_4.shown_share_0 = select(1.0f - _S699, _S699, _S684.shown_2.on_top_0);
+    point_4.x_8 = _S685;
+    point_4.y_2 = _S686;
     return point_4;
 }
 
-fn surface_met_0( _S672 : u32,  _S673 : f32,  _S674 : f32,  _S675 : f32,  _S676 : vec3<f32>,  _S677 : bool) -> SurfacePoint_0
+fn surface_met_0( _S700 : u32,  _S701 : f32,  _S702 : f32,  _S703 : f32,  _S704 : vec3<f32>,  _S705 : bool) -> SurfacePoint_0
 {
-    var _S678 : Sample_0 = sample_at_0(_S672, _S673, _S674, _S677);
-    var point_5 : SurfacePoint_0 = surface_of_0(_S672, _S678, _S673, _S674, _S677);
-    var _S679 : u32 = select(fabrics_0[_S672].weft_0, fabrics_0[_S672].warp_0, point_5.is_warp_0);
-    var _S680 : f32 = select(_S678.crossing_3.weft_3.half_width_1, _S678.crossing_3.warp_3.half_width_1, point_5.is_warp_0) * 1.0154266357421875f;
-    var _S681 : f32 = _S678.dive_1.z;
-    var _S682 : f32 = _S678.slope_along_0 - (1.0f - _S681) * _S678.dive_1.y / families_0[_S679].height_scale_0;
-    var _S683 : f32 = rsqrt_0(_S682 * _S682 + 1.0f);
-    var _S684 : f32 = _S676.x;
-    var _S685 : f32 = _S676.y;
-    var _S686 : f32 = select(_S685, _S684, point_5.is_warp_0);
-    var _S687 : f32 = _S676.z;
-    var _S688 : f32 = (_S687 / families_0[_S679].height_scale_0 - _S682 * select(_S684, _S685, point_5.is_warp_0)) * _S683;
-    var _S689 : f32 = square_1(_S680);
-    var _S690 : f32 = sqrt(max(_S689 - square_1(point_5.across_1), 0.0f)) - (_S678.height_4 + _S681 * _S678.dive_1.x - _S675) / families_0[_S679].height_scale_0 * _S683;
-    var _S691 : f32 = square_1(_S686) + square_1(_S688) + 9.999999960041972e-13f;
-    var _S692 : f32 = point_5.across_1 * _S686 + _S690 * _S688;
-    var _S693 : f32 = square_1(point_5.across_1) + square_1(_S690) - _S689;
-    var _S694 : f32 = sqrt(max(square_1(_S692) - _S691 * _S693, 0.0f));
-    var _S695 : f32 = clamp(select((_S694 - _S692) / _S691, - _S693 / max(_S692 + _S694, 9.999999960041972e-13f), _S692 > 0.0f), - _S680, _S680);
-    var _S696 : f32 = point_5.across_1 + _S695 * _S686;
-    point_5.across_1 = _S696;
-    var _S697 : vec2<f32> = normalize(vec2<f32>(_S696, _S690 + _S695 * _S688));
-    var _S698 : f32 = select(-1.0f, 1.0f, point_5.is_warp_0);
-    var _S699 : f32 = families_0[_S679].twist_sine_0 * select(1.0f, -1.0f, _S677);
-    var _S700 : f32 = _S697.x;
-    var _S701 : f32 = _S699 * _S700 * _S683;
-    var _S702 : f32 = _S697.y;
-    var _S703 : f32 = - _S699 * _S702;
-    var _S704 : f32 = families_0[_S679].twist_cosine_0 * _S683 - _S698 * _S682 * _S701;
-    var _S705 : f32 = families_0[_S679].height_scale_0 * (families_0[_S679].twist_cosine_0 * _S698 * _S682 * _S683 + _S701);
-    var _S706 : f32 = families_0[_S679].height_scale_0 * _S700;
-    var _S707 : f32 = - families_0[_S679].height_scale_0 * _S682 * _S683 * _S702;
-    point_5.normal_1 = normalize(vec3<f32>(select(_S707, _S706, point_5.is_warp_0), select(_S706, _S707, point_5.is_warp_0), _S683 * _S702));
-    point_5.tangent_0 = normalize(vec3<f32>(select(- _S704, _S703, point_5.is_warp_0), select(_S703, _S704, point_5.is_warp_0), _S705));
-    var _S708 : f32 = _S680 * angle_of_0(_S697);
-    var _S709 : f32 = select(- _S673 - _S695 * _S684, _S674 + _S695 * _S685, point_5.is_warp_0);
-    point_5.fibre_across_0 = _S708 * families_0[_S679].twist_cosine_0 + _S709 * _S699;
-    point_5.fibre_along_0 = _S709 * families_0[_S679].twist_cosine_0 - _S708 * _S699;
-    var _S710 : f32 = 0.00999999977648258f * _S680;
-    var _S711 : f32 = - _S710;
-    var _S712 : bool = _S695 < _S711;
-    var _S713 : f32 = select(_S710, _S711, _S686 < 0.0f);
-    var _S714 : f32 = max(_S695, 0.0f);
-    point_5.x_8 = point_5.x_8 + select(_S714 * _S684, select(0.0f, _S713, point_5.is_warp_0), _S712);
-    point_5.y_2 = point_5.y_2 + select(_S714 * _S685, select(_S713, 0.0f, point_5.is_warp_0), _S712);
-    point_5.height_2 = select(_S675 + _S695 * _S687, _S675, _S712);
+    var _S706 : Sample_0 = sample_at_0(_S700, _S701, _S702, _S705);
+    var point_5 : SurfacePoint_0 = surface_of_0(_S700, _S706, _S701, _S702, _S705);
+    var _S707 : u32 = select(fabrics_0[_S700].weft_0, fabrics_0[_S700].warp_0, point_5.is_warp_0);
+    var _S708 : f32 = select(_S706.crossing_3.weft_3.half_width_1, _S706.crossing_3.warp_3.half_width_1, point_5.is_warp_0) * 1.0154266357421875f;
+    var _S709 : f32 = _S706.dive_1.z;
+    var _S710 : f32 = _S706.slope_along_0 - (1.0f - _S709) * _S706.dive_1.y / families_0[_S707].height_scale_0;
+    var _S711 : f32 = rsqrt_0(_S710 * _S710 + 1.0f);
+    var _S712 : f32 = _S704.x;
+    var _S713 : f32 = _S704.y;
+    var _S714 : f32 = select(_S713, _S712, point_5.is_warp_0);
+    var _S715 : f32 = _S704.z;
+    var _S716 : f32 = (_S715 / families_0[_S707].height_scale_0 - _S710 * select(_S712, _S713, point_5.is_warp_0)) * _S711;
+    var _S717 : f32 = square_1(_S708);
+    var _S718 : f32 = sqrt(max(_S717 - square_1(point_5.across_1), 0.0f)) - (_S706.height_4 + _S709 * _S706.dive_1.x - _S703) / families_0[_S707].height_scale_0 * _S711;
+    var _S719 : f32 = square_1(_S714) + square_1(_S716) + 9.999999960041972e-13f;
+    var _S720 : f32 = point_5.across_1 * _S714 + _S718 * _S716;
+    var _S721 : f32 = square_1(point_5.across_1) + square_1(_S718) - _S717;
+    var _S722 : f32 = sqrt(max(square_1(_S720) - _S719 * _S721, 0.0f));
+    var _S723 : f32 = clamp(select((_S722 - _S720) / _S719, - _S721 / max(_S720 + _S722, 9.999999960041972e-13f), _S720 > 0.0f), - _S708, _S708);
+    var _S724 : f32 = point_5.across_1 + _S723 * _S714;
+    point_5.across_1 = _S724;
+    var _S725 : vec2<f32> = normalize(vec2<f32>(_S724, _S718 + _S723 * _S716));
+    var _S726 : f32 = select(-1.0f, 1.0f, point_5.is_warp_0);
+    var _S727 : f32 = families_0[_S707].twist_sine_0 * select(1.0f, -1.0f, _S705);
+    var _S728 : f32 = _S725.x;
+    var _S729 : f32 = _S727 * _S728 * _S711;
+    var _S730 : f32 = _S725.y;
+    var _S731 : f32 = - _S727 * _S730;
+    var _S732 : f32 = families_0[_S707].twist_cosine_0 * _S711 - _S726 * _S710 * _S729;
+    var _S733 : f32 = families_0[_S707].height_scale_0 * (families_0[_S707].twist_cosine_0 * _S726 * _S710 * _S711 + _S729);
+    var _S734 : f32 = families_0[_S707].height_scale_0 * _S728;
+    var _S735 : f32 = - families_0[_S707].height_scale_0 * _S710 * _S711 * _S730;
+    point_5.normal_1 = normalize(vec3<f32>(select(_S735, _S734, point_5.is_warp_0), select(_S734, _S735, point_5.is_warp_0), _S711 * _S730));
+    point_5.tangent_0 = normalize(vec3<f32>(select(- _S732, _S731, point_5.is_warp_0), select(_S731, _S732, point_5.is_warp_0), _S733));
+    var _S736 : f32 = _S708 * angle_of_0(_S725);
+    var _S737 : f32 = select(- _S701 - _S723 * _S712, _S702 + _S723 * _S713, point_5.is_warp_0);
+    point_5.fibre_across_0 = _S736 * families_0[_S707].twist_cosine_0 + _S737 * _S727;
+    point_5.fibre_along_0 = _S737 * families_0[_S707].twist_cosine_0 - _S736 * _S727;
+    var _S738 : f32 = 0.00999999977648258f * _S708;
+    var _S739 : f32 = - _S738;
+    var _S740 : bool = _S723 < _S739;
+    var _S741 : f32 = select(_S738, _S739, _S714 < 0.0f);
+    var _S742 : f32 = max(_S723, 0.0f);
+    point_5.x_8 = point_5.x_8 + select(_S742 * _S712, select(0.0f, _S741, point_5.is_warp_0), _S740);
+    point_5.y_2 = point_5.y_2 + select(_S742 * _S713, select(_S741, 0.0f, point_5.is_warp_0), _S740);
+    point_5.height_2 = select(_S703 + _S723 * _S715, _S703, _S740);
     return point_5;
 }
 
-fn hairs_over_0( _S715 : u32,  _S716 : SurfacePoint_0,  _S717 : bool,  _S718 : f32) -> Hairs_0
+fn hairs_over_0( _S743 : u32,  _S744 : SurfacePoint_0,  _S745 : bool,  _S746 : f32) -> Hairs_0
 {
     var hairs_2 : Hairs_0;
-    hairs_2.place_1 = vec2<f32>(_S716.x_8, _S716.y_2);
-    hairs_2.below_1 = fabrics_0[_S715].height_high_0 - _S716.height_2;
-    hairs_2.back_7 = _S717;
-    hairs_2.size_3 = _S718;
+    hairs_2.place_1 = vec2<f32>(_S744.x_8, _S744.y_2);
+    hairs_2.below_1 = fabrics_0[_S743].height_high_0 - _S744.height_2;
+    hairs_2.back_7 = _S745;
+    hairs_2.size_3 = _S746;
     return hairs_2;
 }
 
-fn has_hairs_0( _S719 : u32) -> bool
+fn has_hairs_0( _S747 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S719].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S719].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S747].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S747].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_towards_0( _S720 : u32,  _S721 : Hairs_0,  _S722 : vec3<f32>,  _S723 : f32) -> Hair_0
+fn hair_towards_0( _S748 : u32,  _S749 : Hairs_0,  _S750 : vec3<f32>,  _S751 : f32) -> Hair_0
 {
-    var _S724 : f32 = fabrics_0[_S720].fibre_size_0;
-    var _S725 : f32 = 17.0f * fabrics_0[_S720].fibre_size_0;
-    var _S726 : f32 = fade_0(_S723, _S725);
-    var _S727 : vec2<f32> = _S722.xy / vec2<f32>(max(_S722.z, 0.3333333432674408f));
-    var _S728 : u32 = hash_key_0(select(u32(0), u32(1), _S721.back_7), ((fabrics_0[_S720].seed_0) ^ (u32(1013904242))));
-    var _S729 : f32 = fabrics_0[_S720].fibre_size_0 / max(_S723, 0.07000000029802322f * fabrics_0[_S720].fibre_size_0);
-    const _S730 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S752 : f32 = fabrics_0[_S748].fibre_size_0;
+    var _S753 : f32 = 17.0f * fabrics_0[_S748].fibre_size_0;
+    var _S754 : f32 = fade_0(_S751, _S753);
+    var _S755 : vec2<f32> = _S750.xy / vec2<f32>(max(_S750.z, 0.3333333432674408f));
+    var _S756 : u32 = hash_key_0(select(u32(0), u32(1), _S749.back_7), ((fabrics_0[_S748].seed_0) ^ (u32(1013904242))));
+    var _S757 : f32 = fabrics_0[_S748].fibre_size_0 / max(_S751, 0.07000000029802322f * fabrics_0[_S748].fibre_size_0);
+    const _S758 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_3 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S730;
+    var hair_across_0 : vec2<f32> = _S758;
     var hair_away_0 : f32 = 0.0f;
     var is_warp_7 : bool = false;
     var number_7 : u32 = u32(0);
     for(;;)
     {
-        if(((_S726 > 0.0f) & ((number_7 < u32(18)))))
+        if(((_S754 > 0.0f) & ((number_7 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S731 : u32 = number_7 / u32(9);
-        var _S732 : u32 = number_7 / u32(3) - u32(3) * _S731;
-        var _S733 : vec2<f32> = (vec2<f32>(((f32(_S731) * 6.0f + 2.0f) * _S724 + _S721.below_1)) * _S727 + _S721.place_1) / vec2<f32>(_S725);
-        var _S734 : vec2<f32> = floor(_S733) + vec2<f32>(f32(number_7 - u32(3) * _S732 - u32(9) * _S731), f32(_S732)) - vec2<f32>(1.0f);
-        var _S735 : u32 = hash_bits_0(_S728 + _S731, u32(i32(_S734.x)) * u32(65536) + u32(i32(_S734.y)));
-        var _S736 : u32 = hash_bits_0(_S728, _S735);
-        var _S737 : vec2<f32> = _S733 - _S734 - vec2<f32>(share_of_0(_S735), share_of_0((_S735 >> (u32(10)))));
-        var _S738 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S735 >> (u32(20)))));
-        var _S739 : f32 = mix(5.0f, 16.0f, share_of_0((_S736 >> (u32(10))))) / 17.0f;
-        var _S740 : f32 = _S737.x;
-        var _S741 : f32 = _S738.y;
-        var _S742 : f32 = _S737.y;
-        var _S743 : f32 = _S738.x;
-        var _S744 : f32 = (_S740 * _S741 + _S742 * _S743) / _S739;
-        var _S745 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S736 >> (u32(20)))) - 1.0f);
-        var _S746 : f32 = 0.5f * (2.0f * share_of_0((_S735 ^ (_S736))) - 1.0f);
-        var _S747 : f32 = _S744 * (3.0f * _S746 * _S744 + 2.0f * _S745);
-        var _S748 : f32 = rsqrt_0(_S747 * _S747 + 1.0f);
-        var _S749 : f32 = (_S742 * _S741 - _S740 * _S743 - _S739 * _S744 * _S744 * (_S746 * _S744 + _S745)) * _S748 * 17.0f;
-        var _S750 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S744)), 0.0f) * _S729;
-        var _S751 : f32 = clamp(_S750 + 0.5f - abs(_S749) * _S729, 0.0f, min(2.0f * _S750, 1.0f));
-        var _S752 : bool = ((((_S736 >> (u32(30)))) & (u32(1)))) == u32(1);
-        var _S753 : bool = (((((share_of_0(_S736)) < (families_0[select(fabrics_0[_S720].weft_0, fabrics_0[_S720].warp_0, _S752)].hairiness_0)) & (((abs(_S744)) < 1.0f)))) & ((_S751 > cover_3)));
-        var _S754 : vec2<f32> = vec2<f32>(- _S743 - _S747 * _S741, _S741 - _S747 * _S743) * vec2<f32>(_S748);
-        var _S755 : f32 = select(cover_3, _S751, _S753);
-        var _S756 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S754.x, _S753), select(hair_across_0.y, _S754.y, _S753));
-        var _S757 : f32 = select(hair_away_0, _S749, _S753);
-        var _S758 : bool = select(is_warp_7, _S752, _S753);
-        var _S759 : u32 = number_7 + u32(1);
-        cover_3 = _S755;
-        hair_across_0 = _S756;
-        hair_away_0 = _S757;
-        is_warp_7 = _S758;
-        number_7 = _S759;
+        var _S759 : u32 = number_7 / u32(9);
+        var _S760 : u32 = number_7 / u32(3) - u32(3) * _S759;
+        var _S761 : vec2<f32> = (vec2<f32>(((f32(_S759) * 6.0f + 2.0f) * _S752 + _S749.below_1)) * _S755 + _S749.place_1) / vec2<f32>(_S753);
+        var _S762 : vec2<f32> = floor(_S761) + vec2<f32>(f32(number_7 - u32(3) * _S760 - u32(9) * _S759), f32(_S760)) - vec2<f32>(1.0f);
+        var _S763 : u32 = hash_bits_0(_S756 + _S759, u32(i32(_S762.x)) * u32(65536) + u32(i32(_S762.y)));
+        var _S764 : u32 = hash_bits_0(_S756, _S763);
+        var _S765 : vec2<f32> = _S761 - _S762 - vec2<f32>(share_of_0(_S763), share_of_0((_S763 >> (u32(10)))));
+        var _S766 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S763 >> (u32(20)))));
+        var _S767 : f32 = mix(5.0f, 16.0f, share_of_0((_S764 >> (u32(10))))) / 17.0f;
+        var _S768 : f32 = _S765.x;
+        var _S769 : f32 = _S766.y;
+        var _S770 : f32 = _S765.y;
+        var _S771 : f32 = _S766.x;
+        var _S772 : f32 = (_S768 * _S769 + _S770 * _S771) / _S767;
+        var _S773 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S764 >> (u32(20)))) - 1.0f);
+        var _S774 : f32 = 0.5f * (2.0f * share_of_0((_S763 ^ (_S764))) - 1.0f);
+        var _S775 : f32 = _S772 * (3.0f * _S774 * _S772 + 2.0f * _S773);
+        var _S776 : f32 = rsqrt_0(_S775 * _S775 + 1.0f);
+        var _S777 : f32 = (_S770 * _S769 - _S768 * _S771 - _S767 * _S772 * _S772 * (_S774 * _S772 + _S773)) * _S776 * 17.0f;
+        var _S778 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S772)), 0.0f) * _S757;
+        var _S779 : f32 = clamp(_S778 + 0.5f - abs(_S777) * _S757, 0.0f, min(2.0f * _S778, 1.0f));
+        var _S780 : bool = ((((_S764 >> (u32(30)))) & (u32(1)))) == u32(1);
+        var _S781 : bool = (((((share_of_0(_S764)) < (families_0[select(fabrics_0[_S748].weft_0, fabrics_0[_S748].warp_0, _S780)].hairiness_0)) & (((abs(_S772)) < 1.0f)))) & ((_S779 > cover_3)));
+        var _S782 : vec2<f32> = vec2<f32>(- _S771 - _S775 * _S769, _S769 - _S775 * _S771) * vec2<f32>(_S776);
+        var _S783 : f32 = select(cover_3, _S779, _S781);
+        var _S784 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S782.x, _S781), select(hair_across_0.y, _S782.y, _S781));
+        var _S785 : f32 = select(hair_away_0, _S777, _S781);
+        var _S786 : bool = select(is_warp_7, _S780, _S781);
+        var _S787 : u32 = number_7 + u32(1);
+        cover_3 = _S783;
+        hair_across_0 = _S784;
+        hair_away_0 = _S785;
+        is_warp_7 = _S786;
+        number_7 = _S787;
     }
-    var _S760 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S788 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_1 = _S726 * cover_3;
-    hair_1.normal_5 = vec3<f32>(vec2<f32>(_S760) * hair_across_0, sqrt(1.0f - _S760 * _S760));
+    hair_1.cover_1 = _S754 * cover_3;
+    hair_1.normal_5 = vec3<f32>(vec2<f32>(_S788) * hair_across_0, sqrt(1.0f - _S788 * _S788));
     hair_1.tangent_4 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     hair_1.is_warp_5 = is_warp_7;
-    hair_1.shade_0 = _S726 * 0.03255363181233406f * (families_0[fabrics_0[_S720].warp_0].hairiness_0 + families_0[fabrics_0[_S720].weft_0].hairiness_0);
+    hair_1.shade_0 = _S754 * 0.03255363181233406f * (families_0[fabrics_0[_S748].warp_0].hairiness_0 + families_0[fabrics_0[_S748].weft_0].hairiness_0);
     return hair_1;
 }
 
-fn thread_of_family_0( _S761 : u32,  _S762 : SurfacePoint_0) -> i32
+fn thread_of_family_0( _S789 : u32,  _S790 : SurfacePoint_0) -> i32
 {
-    var _S763 : u32 = select(fabrics_0[_S761].weft_0, fabrics_0[_S761].warp_0, _S762.is_warp_0);
-    return i32(floor((select(_S762.y_2, _S762.x_8, _S762.is_warp_0) - _S762.across_1) / families_0[_S763].period_0)) * i32(families_0[_S763].count_0) + i32(select(_S762.weft_thread_0, _S762.warp_thread_0, _S762.is_warp_0));
+    var _S791 : u32 = select(fabrics_0[_S789].weft_0, fabrics_0[_S789].warp_0, _S790.is_warp_0);
+    return i32(floor((select(_S790.y_2, _S790.x_8, _S790.is_warp_0) - _S790.across_1) / families_0[_S791].period_0)) * i32(families_0[_S791].count_0) + i32(select(_S790.weft_thread_0, _S790.warp_thread_0, _S790.is_warp_0));
 }
 
-fn thread_number_0( _S764 : u32,  _S765 : SurfacePoint_0) -> u32
+fn thread_number_0( _S792 : u32,  _S793 : SurfacePoint_0) -> u32
 {
-    return u32(thread_of_family_0(_S764, _S765)) * u32(2) + select(u32(0), u32(1), _S765.is_warp_0);
+    return u32(thread_of_family_0(_S792, _S793)) * u32(2) + select(u32(0), u32(1), _S793.is_warp_0);
 }
 
 struct FibreNoise_0
@@ -3255,229 +3374,229 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S766 : u32,  _S767 : u32,  _S768 : SurfacePoint_0,  _S769 : u32,  _S770 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S794 : u32,  _S795 : u32,  _S796 : SurfacePoint_0,  _S797 : u32,  _S798 : f32) -> FibreNoise_0
 {
-    var _S771 : f32 = 5.0f * fabrics_0[_S766].fibre_size_0;
-    var _S772 : vec2<f32> = wave_noise_0(hash_key_0(_S769, ((fabrics_0[_S766].seed_0) ^ (u32(458671337)))), _S768.fibre_along_0 / (25.0f * fabrics_0[_S766].fibre_size_0));
-    var _S773 : f32 = _S768.fibre_across_0 + families_0[_S767].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S766].fibre_size_0 * _S772.x;
-    var _S774 : vec3<f32> = fibre_cell_0(_S773, _S768.fibre_along_0, fabrics_0[_S766].fibre_size_0);
-    var _S775 : vec3<f32> = fibre_cell_0(_S773, _S768.fibre_along_0, _S771);
+    var _S799 : f32 = 5.0f * fabrics_0[_S794].fibre_size_0;
+    var _S800 : vec2<f32> = wave_noise_0(hash_key_0(_S797, ((fabrics_0[_S794].seed_0) ^ (u32(458671337)))), _S796.fibre_along_0 / (25.0f * fabrics_0[_S794].fibre_size_0));
+    var _S801 : f32 = _S796.fibre_across_0 + families_0[_S795].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S794].fibre_size_0 * _S800.x;
+    var _S802 : vec3<f32> = fibre_cell_0(_S801, _S796.fibre_along_0, fabrics_0[_S794].fibre_size_0);
+    var _S803 : vec3<f32> = fibre_cell_0(_S801, _S796.fibre_along_0, _S799);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S769, ((fabrics_0[_S766].seed_0) ^ (u32(1757159915)))), _S775);
-    noise_0.bundle_offset_0 = _S775.z;
-    noise_0.bundle_weight_0 = fade_0(_S770, _S771);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S769, ((fabrics_0[_S766].seed_0) ^ (u32(48610963)))), _S774);
-    noise_0.fibre_weight_0 = fade_0(_S770, fabrics_0[_S766].fibre_size_0);
-    noise_0.offset_2 = _S774.z;
-    noise_0.slope_2 = 0.5f * _S772.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S797, ((fabrics_0[_S794].seed_0) ^ (u32(1757159915)))), _S803);
+    noise_0.bundle_offset_0 = _S803.z;
+    noise_0.bundle_weight_0 = fade_0(_S798, _S799);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S797, ((fabrics_0[_S794].seed_0) ^ (u32(48610963)))), _S802);
+    noise_0.fibre_weight_0 = fade_0(_S798, fabrics_0[_S794].fibre_size_0);
+    noise_0.offset_2 = _S802.z;
+    noise_0.slope_2 = 0.5f * _S800.y;
     return noise_0;
 }
 
-fn turned_frame_0( _S776 : u32,  _S777 : u32,  _S778 : SurfacePoint_0,  _S779 : bool,  _S780 : u32,  _S781 : f32) -> YarnFrame_0
+fn turned_frame_0( _S804 : u32,  _S805 : u32,  _S806 : SurfacePoint_0,  _S807 : bool,  _S808 : u32,  _S809 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_7 = _S778.normal_1;
-    frame_2.tangent_6 = _S778.tangent_0;
+    frame_2.normal_7 = _S806.normal_1;
+    frame_2.tangent_6 = _S806.tangent_0;
     frame_2.loss_0 = 0.0f;
     frame_2.shade_2 = 0.0f;
-    if((families_0[_S777].has_plies_0) > 0.0f)
+    if((families_0[_S805].has_plies_0) > 0.0f)
     {
-        var _S782 : f32 = fade_0(_S781, 1.0f / families_0[_S777].plies_per_mm_0);
-        var _S783 : f32 = _S782 * 0.62000000476837158f * ply_offset_0(_S777, _S778, _S779);
-        var _S784 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
-        var _S785 : vec3<f32> = vec3<f32>(families_0[_S777].ply_cosine_0);
-        var _S786 : vec3<f32> = vec3<f32>(select(families_0[_S777].ply_sine_0, - families_0[_S777].ply_sine_0, _S779));
-        var _S787 : vec3<f32> = _S785 * _S784 + _S786 * frame_2.tangent_6;
-        var _S788 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S783 * _S783));
-        var _S789 : vec3<f32> = vec3<f32>(_S783);
-        frame_2.tangent_6 = _S785 * (_S785 * frame_2.tangent_6 - _S786 * _S784) + _S786 * (_S788 * _S787 - _S789 * frame_2.normal_7);
-        frame_2.normal_7 = _S788 * frame_2.normal_7 + _S789 * _S787;
-        frame_2.loss_0 = _S782 * _S782 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
+        var _S810 : f32 = fade_0(_S809, 1.0f / families_0[_S805].plies_per_mm_0);
+        var _S811 : f32 = _S810 * 0.62000000476837158f * ply_offset_0(_S805, _S806, _S807);
+        var _S812 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
+        var _S813 : vec3<f32> = vec3<f32>(families_0[_S805].ply_cosine_0);
+        var _S814 : vec3<f32> = vec3<f32>(select(families_0[_S805].ply_sine_0, - families_0[_S805].ply_sine_0, _S807));
+        var _S815 : vec3<f32> = _S813 * _S812 + _S814 * frame_2.tangent_6;
+        var _S816 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S811 * _S811));
+        var _S817 : vec3<f32> = vec3<f32>(_S811);
+        frame_2.tangent_6 = _S813 * (_S813 * frame_2.tangent_6 - _S814 * _S812) + _S814 * (_S816 * _S815 - _S817 * frame_2.normal_7);
+        frame_2.normal_7 = _S816 * frame_2.normal_7 + _S817 * _S815;
+        frame_2.loss_0 = _S810 * _S810 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
     }
-    var _S790 : f32 = families_0[_S777].fibre_tilt_0;
-    if((families_0[_S777].fibre_tilt_0) > 0.0f)
+    var _S818 : f32 = families_0[_S805].fibre_tilt_0;
+    if((families_0[_S805].fibre_tilt_0) > 0.0f)
     {
-        var _S791 : FibreNoise_0 = fibre_noise_at_0(_S776, _S777, _S778, _S780, _S781);
-        var _S792 : f32 = 1.09858846664428711f * _S790 * (_S791.bundle_weight_0 * _S791.bundle_0.x + _S791.fibre_weight_0 * (_S791.fibre_0.x + _S791.offset_2));
-        var _S793 : f32 = _S790 * (1.42099642753601074f * (_S791.bundle_weight_0 * _S791.bundle_0.y + _S791.fibre_weight_0 * _S791.fibre_0.y) - _S791.bundle_weight_0 * _S791.slope_2);
-        var _S794 : f32 = square_1(_S791.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S790 * _S790 * ((0.24761904776096344f * (square_1(_S791.bundle_weight_0) + _S794) + _S794 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S795 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
-        var _S796 : vec2<f32> = sine_cosine_0(_S792);
-        var _S797 : vec2<f32> = sine_cosine_0(_S793);
-        var _S798 : vec3<f32> = vec3<f32>(_S796.y);
-        var _S799 : vec3<f32> = vec3<f32>(_S796.x);
-        var _S800 : vec3<f32> = _S798 * _S795 - _S799 * frame_2.normal_7;
-        frame_2.normal_7 = _S798 * frame_2.normal_7 + _S799 * _S795;
-        frame_2.tangent_6 = vec3<f32>(_S797.y) * frame_2.tangent_6 + vec3<f32>(_S797.x) * _S800;
+        var _S819 : FibreNoise_0 = fibre_noise_at_0(_S804, _S805, _S806, _S808, _S809);
+        var _S820 : f32 = 1.09858846664428711f * _S818 * (_S819.bundle_weight_0 * _S819.bundle_0.x + _S819.fibre_weight_0 * (_S819.fibre_0.x + _S819.offset_2));
+        var _S821 : f32 = _S818 * (1.42099642753601074f * (_S819.bundle_weight_0 * _S819.bundle_0.y + _S819.fibre_weight_0 * _S819.fibre_0.y) - _S819.bundle_weight_0 * _S819.slope_2);
+        var _S822 : f32 = square_1(_S819.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S818 * _S818 * ((0.24761904776096344f * (square_1(_S819.bundle_weight_0) + _S822) + _S822 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S823 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
+        var _S824 : vec2<f32> = sine_cosine_0(_S820);
+        var _S825 : vec2<f32> = sine_cosine_0(_S821);
+        var _S826 : vec3<f32> = vec3<f32>(_S824.y);
+        var _S827 : vec3<f32> = vec3<f32>(_S824.x);
+        var _S828 : vec3<f32> = _S826 * _S823 - _S827 * frame_2.normal_7;
+        frame_2.normal_7 = _S826 * frame_2.normal_7 + _S827 * _S823;
+        frame_2.tangent_6 = vec3<f32>(_S825.y) * frame_2.tangent_6 + vec3<f32>(_S825.x) * _S828;
     }
     return frame_2;
 }
 
-fn uncoloured_point_0( _S801 : u32,  _S802 : SurfacePoint_0,  _S803 : vec3<f32>,  _S804 : bool,  _S805 : bool,  _S806 : f32) -> YarnPoint_0
+fn uncoloured_point_0( _S829 : u32,  _S830 : SurfacePoint_0,  _S831 : vec3<f32>,  _S832 : bool,  _S833 : bool,  _S834 : f32) -> YarnPoint_0
 {
-    var _S807 : u32 = fabrics_0[_S801].warp_0;
-    var _S808 : u32 = fabrics_0[_S801].weft_0;
-    var _S809 : u32 = select(fabrics_0[_S801].weft_0, fabrics_0[_S801].warp_0, _S802.is_warp_0);
-    var _S810 : bool = (((fabrics_0[_S801].has_detail_0) != u32(0)) & ((_S806 >= 0.0f)));
-    var _S811 : vec3<f32> = vec3<f32>(0.0f);
-    var _S812 : vec2<f32> = vec2<f32>(0.0f);
-    var point_6 : YarnPoint_0 = YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S811, _S811, _S811, 0.0f, 0.0f, Albedos_x24init_0(_S811, _S811, _S811, _S811), Hairs_x24init_0(_S812, 0.0f, false, 0.0f), 0.0f, _S812, 0.0f);
-    point_6.hairs_0 = hairs_over_0(_S801, _S802, _S804, _S806);
+    var _S835 : u32 = fabrics_0[_S829].warp_0;
+    var _S836 : u32 = fabrics_0[_S829].weft_0;
+    var _S837 : u32 = select(fabrics_0[_S829].weft_0, fabrics_0[_S829].warp_0, _S830.is_warp_0);
+    var _S838 : bool = (((fabrics_0[_S829].has_detail_0) != u32(0)) & ((_S834 >= 0.0f)));
+    var _S839 : vec3<f32> = vec3<f32>(0.0f);
+    var _S840 : vec2<f32> = vec2<f32>(0.0f);
+    var point_6 : YarnPoint_0 = YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S839, _S839, _S839, 0.0f, 0.0f, Albedos_x24init_0(_S839, _S839, _S839, _S839), Hairs_x24init_0(_S840, 0.0f, false, 0.0f), 0.0f, _S840, 0.0f);
+    point_6.hairs_0 = hairs_over_0(_S829, _S830, _S832, _S834);
     point_6.hair_cover_0 = 1.0f;
-    var _S813 : Hair_0 = Hair_x24init_0(0.0f, _S811, _S811, false, 0.0f);
-    point_6.is_warp_3 = _S802.is_warp_0;
-    var _S814 : bool = (_S810 & ((has_hairs_0(_S801))));
+    var _S841 : Hair_0 = Hair_x24init_0(0.0f, _S839, _S839, false, 0.0f);
+    point_6.is_warp_3 = _S830.is_warp_0;
+    var _S842 : bool = (_S838 & ((has_hairs_0(_S829))));
     var hair_2 : Hair_0;
-    if(_S814)
+    if(_S842)
     {
-        var _S815 : Hair_0 = hair_towards_0(_S801, point_6.hairs_0, _S803, _S806);
-        point_6.hair_cover_0 = _S815.cover_1;
-        point_6.is_warp_3 = select(_S802.is_warp_0, _S815.is_warp_5, (_S815.cover_1) > 0.5f);
-        hair_2 = _S815;
+        var _S843 : Hair_0 = hair_towards_0(_S829, point_6.hairs_0, _S831, _S834);
+        point_6.hair_cover_0 = _S843.cover_1;
+        point_6.is_warp_3 = select(_S830.is_warp_0, _S843.is_warp_5, (_S843.cover_1) > 0.5f);
+        hair_2 = _S843;
     }
     else
     {
-        hair_2 = _S813;
+        hair_2 = _S841;
     }
-    var _S816 : u32 = select(_S808, _S807, point_6.is_warp_3);
-    point_6.back_9 = _S804;
-    point_6.hole_5 = _S805;
-    point_6.x_14 = _S802.x_8;
-    point_6.y_7 = _S802.y_2;
-    point_6.place_3 = vec2<f32>(_S802.x_8, _S802.y_2);
-    point_6.plane_6 = _S802.plane_0;
-    point_6.height_7 = _S802.height_2 + hair_2.cover_1 * point_6.hairs_0.below_1;
-    point_6.normal_3 = _S802.normal_1;
-    point_6.tangent_2 = _S802.tangent_0;
-    point_6.surface_normal_0 = normalize(mix(_S802.normal_1, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
+    var _S844 : u32 = select(_S836, _S835, point_6.is_warp_3);
+    point_6.back_9 = _S832;
+    point_6.hole_5 = _S833;
+    point_6.x_14 = _S830.x_8;
+    point_6.y_7 = _S830.y_2;
+    point_6.place_3 = vec2<f32>(_S830.x_8, _S830.y_2);
+    point_6.plane_6 = _S830.plane_0;
+    point_6.height_7 = _S830.height_2 + hair_2.cover_1 * point_6.hairs_0.below_1;
+    point_6.normal_3 = _S830.normal_1;
+    point_6.tangent_2 = _S830.tangent_0;
+    point_6.surface_normal_0 = normalize(mix(_S830.normal_1, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
     point_6.diffuse_gain_0 = 1.0f;
-    if(_S810)
+    if(_S838)
     {
-        var _S817 : YarnFrame_0 = turned_frame_0(_S801, _S809, _S802, _S804, thread_number_0(_S801, _S802), _S806);
+        var _S845 : YarnFrame_0 = turned_frame_0(_S829, _S837, _S830, _S832, thread_number_0(_S829, _S830), _S834);
         var frame_3 : YarnFrame_0;
-        if(_S814)
+        if(_S842)
         {
-            frame_3 = under_hair_0(_S817, hair_2);
+            frame_3 = under_hair_0(_S845, hair_2);
         }
         else
         {
-            frame_3 = _S817;
+            frame_3 = _S845;
         }
         point_6.normal_3 = frame_3.normal_7;
         point_6.tangent_2 = frame_3.tangent_6;
-        point_6.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S801].diffuse_blend_0);
+        point_6.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S829].diffuse_blend_0);
     }
-    point_6.roughness_1 = families_0[_S816].roughness_0;
+    point_6.roughness_1 = families_0[_S844].roughness_0;
     return point_6;
 }
 
-fn surface_at_0( _S818 : u32,  _S819 : f32,  _S820 : f32,  _S821 : bool) -> SurfacePoint_0
+fn surface_at_0( _S846 : u32,  _S847 : f32,  _S848 : f32,  _S849 : bool) -> SurfacePoint_0
 {
-    return surface_of_0(_S818, sample_at_0(_S818, _S819, _S820, _S821), _S819, _S820, _S821);
+    return surface_of_0(_S846, sample_at_0(_S846, _S847, _S848, _S849), _S847, _S848, _S849);
 }
 
-fn unoccluded_0( _S822 : u32,  _S823 : SearchQuality_0,  _S824 : f32,  _S825 : f32,  _S826 : f32,  _S827 : vec3<f32>,  _S828 : bool) -> bool
+fn unoccluded_0( _S850 : u32,  _S851 : SearchQuality_0,  _S852 : f32,  _S853 : f32,  _S854 : f32,  _S855 : vec3<f32>,  _S856 : bool) -> bool
 {
-    if((_S827.z) <= 0.0f)
+    if((_S855.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S822, _S823, vec3<f32>(_S824, _S825, _S826 + fabrics_0[_S822].lift_0), _S827, _S828, max_height_along_0(_S822, _S824, _S825, _S826, _S827, _S828));
+    return is_free_0(_S850, _S851, vec3<f32>(_S852, _S853, _S854 + fabrics_0[_S850].lift_0), _S855, _S856, max_height_along_0(_S850, _S852, _S853, _S854, _S855, _S856));
 }
 
-fn is_lit_0( _S829 : u32,  _S830 : SearchQuality_0,  _S831 : YarnPoint_0,  _S832 : vec3<f32>) -> bool
+fn is_lit_0( _S857 : u32,  _S858 : SearchQuality_0,  _S859 : YarnPoint_0,  _S860 : vec3<f32>) -> bool
 {
-    if(_S831.hole_5)
+    if(_S859.hole_5)
     {
         return true;
     }
-    var _S833 : vec3<f32> = to_face_frame_0(_S832, _S831.back_9);
-    var _S834 : f32 = _S833.z;
-    var _S835 : bool = _S834 < 0.0f;
+    var _S861 : vec3<f32> = to_face_frame_0(_S860, _S859.back_9);
+    var _S862 : f32 = _S861.z;
+    var _S863 : bool = _S862 < 0.0f;
     var normal_12 : vec3<f32>;
     var height_13 : f32;
-    if(_S835)
+    if(_S863)
     {
-        var _S836 : SurfacePoint_0 = surface_at_0(_S829, _S831.x_14, _S831.y_7, !_S831.back_9);
-        normal_12 = _S836.normal_1;
-        height_13 = _S836.height_2;
+        var _S864 : SurfacePoint_0 = surface_at_0(_S857, _S859.x_14, _S859.y_7, !_S859.back_9);
+        normal_12 = _S864.normal_1;
+        height_13 = _S864.height_2;
     }
     else
     {
-        normal_12 = _S831.surface_normal_0;
-        height_13 = _S831.height_7;
+        normal_12 = _S859.surface_normal_0;
+        height_13 = _S859.height_7;
     }
-    var _S837 : vec3<f32> = vec3<f32>(_S833.xy, abs(_S834));
-    if((dot(normal_12, _S837)) <= 0.0f)
+    var _S865 : vec3<f32> = vec3<f32>(_S861.xy, abs(_S862));
+    if((dot(normal_12, _S865)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S829, _S830, _S831.x_14, _S831.y_7, height_13, _S837, (_S831.back_9) != _S835);
+    return unoccluded_0(_S857, _S858, _S859.x_14, _S859.y_7, height_13, _S865, (_S859.back_9) != _S863);
 }
 
-fn hairs_lit_0( _S838 : u32,  _S839 : Hairs_0,  _S840 : vec3<f32>) -> f32
+fn hairs_lit_0( _S866 : u32,  _S867 : Hairs_0,  _S868 : vec3<f32>) -> f32
 {
-    return 1.0f - 0.5f * hair_towards_0(_S838, _S839, _S840, _S839.size_3 + fabrics_0[_S838].fibre_size_0).cover_1;
+    return 1.0f - 0.5f * hair_towards_0(_S866, _S867, _S868, _S867.size_3 + fabrics_0[_S866].fibre_size_0).cover_1;
 }
 
-fn under_hairs_0( _S841 : u32,  _S842 : YarnPoint_0,  _S843 : vec3<f32>) -> f32
+fn under_hairs_0( _S869 : u32,  _S870 : YarnPoint_0,  _S871 : vec3<f32>) -> f32
 {
-    if((((_S842.hair_cover_0) >= 1.0f) | (((_S843.z) <= 0.0f))))
+    if((((_S870.hair_cover_0) >= 1.0f) | (((_S871.z) <= 0.0f))))
     {
         return 1.0f;
     }
-    return mix(hairs_lit_0(_S841, _S842.hairs_0, _S843), 1.0f, _S842.hair_cover_0);
+    return mix(hairs_lit_0(_S869, _S870.hairs_0, _S871), 1.0f, _S870.hair_cover_0);
 }
 
-fn components_of_point_0( _S844 : u32,  _S845 : SearchQuality_0,  _S846 : YarnPoint_0,  _S847 : vec3<f32>,  _S848 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S872 : u32,  _S873 : SearchQuality_0,  _S874 : YarnPoint_0,  _S875 : vec3<f32>,  _S876 : vec3<f32>) -> Components_0
 {
     var result_6 : Components_0 = no_components_0();
-    result_6.hole_2 = select(0.0f, 1.0f, _S846.hole_5);
-    var _S849 : bool;
-    if(_S846.hole_5)
+    result_6.hole_2 = select(0.0f, 1.0f, _S874.hole_5);
+    var _S877 : bool;
+    if(_S874.hole_5)
     {
-        _S849 = true;
+        _S877 = true;
     }
     else
     {
-        _S849 = !is_lit_0(_S844, _S845, _S846, _S847);
+        _S877 = !is_lit_0(_S872, _S873, _S874, _S875);
     }
-    if(_S849)
+    if(_S877)
     {
         return result_6;
     }
-    var _S850 : vec3<f32> = to_face_frame_0(_S847, _S846.back_9);
-    var _S851 : vec3<f32> = to_face_frame_0(_S848, _S846.back_9);
-    var _S852 : bool = (_S850.z) < 0.0f;
-    var _S853 : f32 = under_hairs_0(_S844, _S846, _S850);
-    var _S854 : f32 = _S853 * _S846.diffuse_gain_0 * diffuse_reflection_0(select_vector_1(_S852, (vec3<f32>(0) - _S850), _S850), _S846.normal_3, fabrics_0[_S844].diffuse_blend_0);
-    var _S855 : f32;
-    if(_S852)
+    var _S878 : vec3<f32> = to_face_frame_0(_S875, _S874.back_9);
+    var _S879 : vec3<f32> = to_face_frame_0(_S876, _S874.back_9);
+    var _S880 : bool = (_S878.z) < 0.0f;
+    var _S881 : f32 = under_hairs_0(_S872, _S874, _S878);
+    var _S882 : f32 = _S881 * _S874.diffuse_gain_0 * diffuse_reflection_0(select_vector_1(_S880, (vec3<f32>(0) - _S878), _S878), _S874.normal_3, fabrics_0[_S872].diffuse_blend_0);
+    var _S883 : f32;
+    if(_S880)
     {
-        _S855 = transmission_1(_S850, _S851, _S846.normal_3, _S846.tangent_2, _S846.roughness_1, fabrics_0[_S844].optical_depth_0);
+        _S883 = transmission_1(_S878, _S879, _S874.normal_3, _S874.tangent_2, _S874.roughness_1, fabrics_0[_S872].optical_depth_0);
     }
     else
     {
-        _S855 = reflection_0(_S850, _S851, _S846.normal_3, _S846.tangent_2, _S846.roughness_1, fabrics_0[_S844].optical_depth_0);
+        _S883 = reflection_0(_S878, _S879, _S874.normal_3, _S874.tangent_2, _S874.roughness_1, fabrics_0[_S872].optical_depth_0);
     }
-    var _S856 : f32 = _S853 * _S855;
-    result_6.diffuse_warp_0 = select(0.0f, _S854, _S846.is_warp_3);
-    result_6.diffuse_weft_0 = select(_S854, 0.0f, _S846.is_warp_3);
-    result_6.specular_warp_0 = select(0.0f, _S856, _S846.is_warp_3);
-    result_6.specular_weft_0 = select(_S856, 0.0f, _S846.is_warp_3);
+    var _S884 : f32 = _S881 * _S883;
+    result_6.diffuse_warp_0 = select(0.0f, _S882, _S874.is_warp_3);
+    result_6.diffuse_weft_0 = select(_S882, 0.0f, _S874.is_warp_3);
+    result_6.specular_warp_0 = select(0.0f, _S884, _S874.is_warp_3);
+    result_6.specular_weft_0 = select(_S884, 0.0f, _S874.is_warp_3);
     result_6.light_visibility_1 = 1.0f;
     return result_6;
 }
 
-fn openness_number_0( _S857 : u32,  _S858 : u32) -> f32
+fn openness_number_0( _S885 : u32,  _S886 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S857].openness_0 + _S858);
+    return table_number_0(fabrics_0[_S885].openness_0 + _S886);
 }
 
-fn blocked_of_terms_0( _S859 : u32,  _S860 : u32,  _S861 : array<f32, i32(6)>,  _S862 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S887 : u32,  _S888 : u32,  _S889 : array<f32, i32(6)>,  _S890 : u32) -> Blocked_0
 {
-    var shares_3 : array<f32, i32(3)>;
+    var shares_2 : array<f32, i32(3)>;
     var share_5 : u32 = u32(0);
     for(;;)
     {
@@ -3488,48 +3607,48 @@ fn blocked_of_terms_0( _S859 : u32,  _S860 : u32,  _S861 : array<f32, i32(6)>,  
         {
             break;
         }
-        shares_3[share_5] = 0.0f;
-        var term_0 : u32 = u32(0);
+        shares_2[share_5] = 0.0f;
+        var term_2 : u32 = u32(0);
         for(;;)
         {
-            if(term_0 < _S862)
+            if(term_2 < _S890)
             {
             }
             else
             {
                 break;
             }
-            shares_3[share_5] = shares_3[share_5] + openness_number_0(_S859, _S860 + share_5 * _S862 + term_0) * _S861[term_0];
-            term_0 = term_0 + u32(1);
+            shares_2[share_5] = shares_2[share_5] + openness_number_0(_S887, _S888 + share_5 * _S890 + term_2) * _S889[term_2];
+            term_2 = term_2 + u32(1);
         }
-        shares_3[share_5] = saturate(shares_3[share_5]);
+        shares_2[share_5] = saturate(shares_2[share_5]);
         share_5 = share_5 + u32(1);
     }
     var blocked_2 : Blocked_0;
-    blocked_2.by_warp_0 = shares_3[i32(0)] * shares_3[i32(2)];
-    blocked_2.by_weft_0 = shares_3[i32(0)] * (1.0f - shares_3[i32(2)]);
-    blocked_2.far_0 = shares_3[i32(1)];
+    blocked_2.by_warp_0 = shares_2[i32(0)] * shares_2[i32(2)];
+    blocked_2.by_weft_0 = shares_2[i32(0)] * (1.0f - shares_2[i32(2)]);
+    blocked_2.far_0 = shares_2[i32(1)];
     return blocked_2;
 }
 
-fn blocked_at_0( _S863 : u32,  _S864 : bool,  _S865 : bool,  _S866 : f32,  _S867 : f32) -> Blocked_0
+fn blocked_at_0( _S891 : u32,  _S892 : bool,  _S893 : bool,  _S894 : f32,  _S895 : f32) -> Blocked_0
 {
-    var _S868 : f32 = _S867 * openness_number_0(_S863, u32(158));
-    var terms_2 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S866, _S868, _S866 * _S866, _S866 * _S868, _S868 * _S868 );
-    return blocked_of_terms_0(_S863, u32(60) + (select(u32(0), u32(2), _S865) + select(u32(1), u32(0), _S864)) * u32(18), terms_2, u32(6));
+    var _S896 : f32 = _S895 * openness_number_0(_S891, u32(158));
+    var terms_5 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S894, _S896, _S894 * _S894, _S894 * _S896, _S896 * _S896 );
+    return blocked_of_terms_0(_S891, u32(60) + (select(u32(0), u32(2), _S893) + select(u32(1), u32(0), _S892)) * u32(18), terms_5, u32(6));
 }
 
-fn with_blocked_0( _S869 : u32,  _S870 : Blocked_0,  _S871 : YarnPoint_0,  _S872 : bool,  _S873 : f32) -> Blocked_0
+fn with_blocked_0( _S897 : u32,  _S898 : Blocked_0,  _S899 : YarnPoint_0,  _S900 : bool,  _S901 : f32) -> Blocked_0
 {
-    if(((_S871.hole_5) | (((_S871.is_warp_3) != _S872))))
+    if(((_S899.hole_5) | (((_S899.is_warp_3) != _S900))))
     {
-        return _S870;
+        return _S898;
     }
-    var _S874 : Blocked_0 = blocked_at_0(_S869, _S872, _S871.back_9, _S871.surface_normal_0.z, _S871.height_7 - _S871.plane_6);
+    var _S902 : Blocked_0 = blocked_at_0(_S897, _S900, _S899.back_9, _S899.surface_normal_0.z, _S899.height_7 - _S899.plane_6);
     var result_7 : Blocked_0;
-    result_7.by_warp_0 = _S870.by_warp_0 + _S873 * _S874.by_warp_0;
-    result_7.by_weft_0 = _S870.by_weft_0 + _S873 * _S874.by_weft_0;
-    result_7.far_0 = _S870.far_0 + _S873 * _S874.far_0;
+    result_7.by_warp_0 = _S898.by_warp_0 + _S901 * _S902.by_warp_0;
+    result_7.by_weft_0 = _S898.by_weft_0 + _S901 * _S902.by_weft_0;
+    result_7.far_0 = _S898.far_0 + _S901 * _S902.far_0;
     return result_7;
 }
 
@@ -3538,23 +3657,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S875 : u32,  _S876 : f32) -> vec3<f32>
+fn pyramid_level_0( _S903 : u32,  _S904 : f32) -> vec3<f32>
 {
-    var _S877 : u32 = fabrics_0[_S875].lobes_0.levels_0 + u32(4) * u32(min(_S876, fabrics_0[_S875].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S877), table_number_0(_S877 + u32(1)), table_number_0(_S877 + u32(2)));
+    var _S905 : u32 = fabrics_0[_S903].lobes_0.levels_0 + u32(4) * u32(min(_S904, fabrics_0[_S903].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S905), table_number_0(_S905 + u32(1)), table_number_0(_S905 + u32(2)));
 }
 
-fn coverage_taps_0( _S878 : u32,  _S879 : Footprint_0,  _S880 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S906 : u32,  _S907 : Footprint_0,  _S908 : bool) -> CoverageTaps_0
 {
-    var _S881 : Lobes_std430_0 = fabrics_0[_S878].lobes_0;
-    var _S882 : f32 = Footprint_spread_side_0(_S879) * fabrics_0[_S878].lobes_0.inverse_base_size_0;
-    var _S883 : vec3<f32> = pyramid_level_0(_S878, floor(binary_logarithm_0(max(0.68000000715255737f * _S882, 1.0f))));
-    var _S884 : f32 = 1.0f / max(_S882, 9.99999997475242708e-07f);
-    var _S885 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S878].warp_0].inverse_period_0, families_0[fabrics_0[_S878].weft_0].inverse_period_0);
-    var _S886 : vec2<f32> = _S879.centre_0 * _S885;
-    var _S887 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S884 * _S884), 0.0f, 1.0f)), 0.3333333432674408f * _S884), 1.0f));
-    var _S888 : vec2<f32> = _S879.dx_0 * _S885 * _S887;
-    var _S889 : vec2<f32> = _S879.dy_0 * _S885 * _S887;
+    var _S909 : Lobes_std430_0 = fabrics_0[_S906].lobes_0;
+    var _S910 : f32 = Footprint_spread_side_0(_S907) * fabrics_0[_S906].lobes_0.inverse_base_size_0;
+    var _S911 : vec3<f32> = pyramid_level_0(_S906, floor(binary_logarithm_0(max(0.68000000715255737f * _S910, 1.0f))));
+    var _S912 : f32 = 1.0f / max(_S910, 9.99999997475242708e-07f);
+    var _S913 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S906].warp_0].inverse_period_0, families_0[fabrics_0[_S906].weft_0].inverse_period_0);
+    var _S914 : vec2<f32> = _S907.centre_0 * _S913;
+    var _S915 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S912 * _S912), 0.0f, 1.0f)), 0.3333333432674408f * _S912), 1.0f));
+    var _S916 : vec2<f32> = _S907.dx_0 * _S913 * _S915;
+    var _S917 : vec2<f32> = _S907.dy_0 * _S913 * _S915;
     var taps_4 : CoverageTaps_0;
     var number_8 : u32 = u32(0);
     for(;;)
@@ -3566,24 +3685,24 @@ fn coverage_taps_0( _S878 : u32,  _S879 : Footprint_0,  _S880 : bool) -> Coverag
         {
             break;
         }
-        var _S890 : vec2<f32> = _S886 + vec2<f32>(TAP_OFFSETS_0[number_8].x) * _S888 + vec2<f32>(TAP_OFFSETS_0[number_8].y) * _S889;
-        var _S891 : f32 = _S883.y;
-        taps_4.nodes_1[number_8] = select(u32(0), _S881.face_nodes_0, _S880) + u32(wrapped_cell_0(_S890.y, _S883.z) * _S891 + wrapped_cell_0(_S890.x, _S891) + _S883.x);
+        var _S918 : vec2<f32> = _S914 + vec2<f32>(TAP_OFFSETS_0[number_8].x) * _S916 + vec2<f32>(TAP_OFFSETS_0[number_8].y) * _S917;
+        var _S919 : f32 = _S911.y;
+        taps_4.nodes_1[number_8] = select(u32(0), _S909.face_nodes_0, _S908) + u32(wrapped_cell_0(_S918.y, _S911.z) * _S919 + wrapped_cell_0(_S918.x, _S919) + _S911.x);
         number_8 = number_8 + u32(1);
     }
     return taps_4;
 }
 
-fn joint_ratios_0( _S892 : u32,  _S893 : vec3<f32>,  _S894 : vec3<f32>,  _S895 : bool) -> vec2<f32>
+fn joint_ratios_0( _S920 : u32,  _S921 : vec3<f32>,  _S922 : vec3<f32>,  _S923 : bool) -> vec2<f32>
 {
-    var _S896 : NodeTaps_0 = node_taps_of_0(_S894, u32(16));
-    var _S897 : NodeTaps_0 = node_taps_of_0(_S893, u32(16));
-    var _S898 : u32 = fabrics_0[_S892].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S895) + select(u32(0), u32(1), (_S893.z) < 0.0f)) * u32(512);
-    var _S899 : u32 = _S898 + u32(512);
-    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S896, _S898, u32(0)), joint_terms_0(_S897, _S899, u32(0))), dot(joint_terms_0(_S896, _S898, u32(1)), joint_terms_0(_S897, _S899, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
+    var _S924 : NodeTaps_0 = node_taps_of_0(_S922, u32(16));
+    var _S925 : NodeTaps_0 = node_taps_of_0(_S921, u32(16));
+    var _S926 : u32 = fabrics_0[_S920].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S923) + select(u32(0), u32(1), (_S921.z) < 0.0f)) * u32(512);
+    var _S927 : u32 = _S926 + u32(512);
+    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S924, _S926, u32(0)), joint_terms_0(_S925, _S927, u32(0))), dot(joint_terms_0(_S924, _S926, u32(1)), joint_terms_0(_S925, _S927, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
 }
 
-fn coverage_of_pack_0( _S900 : u32,  _S901 : CoverageTaps_0,  _S902 : u32) -> vec4<f32>
+fn coverage_of_pack_0( _S928 : u32,  _S929 : CoverageTaps_0,  _S930 : u32) -> vec4<f32>
 {
     var number_9 : u32 = u32(0);
     var even_1 : u32 = u32(0);
@@ -3597,9 +3716,9 @@ fn coverage_of_pack_0( _S900 : u32,  _S901 : CoverageTaps_0,  _S902 : u32) -> ve
         {
             break;
         }
-        var _S903 : u32 = words_0[fabrics_0[_S900].lobes_0.coverage_0 + _S901.nodes_1[number_9] * fabrics_0[_S900].lobes_0.packs_0 + _S902];
-        var even_2 : u32 = even_1 + ((_S903 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S903 >> (u32(8)))) & (u32(16711935))));
+        var _S931 : u32 = words_0[fabrics_0[_S928].lobes_0.coverage_0 + _S929.nodes_1[number_9] * fabrics_0[_S928].lobes_0.packs_0 + _S930];
+        var even_2 : u32 = even_1 + ((_S931 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S931 >> (u32(8)))) & (u32(16711935))));
         number_9 = number_9 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3607,10 +3726,10 @@ fn coverage_of_pack_0( _S900 : u32,  _S901 : CoverageTaps_0,  _S902 : u32) -> ve
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S904 : u32,  _S905 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S932 : u32,  _S933 : CoverageTaps_0) -> f32
 {
     var number_10 : u32 = u32(0);
-    var total_0 : u32 = u32(0);
+    var total_4 : u32 = u32(0);
     for(;;)
     {
         if(number_10 < u32(9))
@@ -3620,33 +3739,33 @@ fn coverage_of_holes_0( _S904 : u32,  _S905 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S904].lobes_0.coverage_holes_0 + _S905.nodes_1[number_10] / u32(4)] >> ((u32(8) * (_S905.nodes_1[number_10] % u32(4)))))) & (u32(255))));
+        var total_5 : u32 = total_4 + ((((words_0[fabrics_0[_S932].lobes_0.coverage_holes_0 + _S933.nodes_1[number_10] / u32(4)] >> ((u32(8) * (_S933.nodes_1[number_10] % u32(4)))))) & (u32(255))));
         number_10 = number_10 + u32(1);
-        total_0 = total_1;
+        total_4 = total_5;
     }
-    return f32(total_0) / 9.0f;
+    return f32(total_4) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S906 : u32,  _S907 : CoverageTaps_0,  _S908 : NodeTaps_0,  _S909 : bool) -> f32
+fn prefiltered_hole_0( _S934 : u32,  _S935 : CoverageTaps_0,  _S936 : NodeTaps_0,  _S937 : bool) -> f32
 {
-    var _S910 : f32 = interpolate_table_0(_S908, fabrics_0[_S906].lobes_0.projected_area_0 + fabrics_0[_S906].lobes_0.packs_0, fabrics_0[_S906].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S906, _S907) * _S910 * _S910 * select(fabrics_0[_S906].lobes_0.front_hole_weight_0, fabrics_0[_S906].lobes_0.back_hole_weight_0, _S909), 1.0f);
+    var _S938 : f32 = interpolate_table_0(_S936, fabrics_0[_S934].lobes_0.projected_area_0 + fabrics_0[_S934].lobes_0.packs_0, fabrics_0[_S934].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S934, _S935) * _S938 * _S938 * select(fabrics_0[_S934].lobes_0.front_hole_weight_0, fabrics_0[_S934].lobes_0.back_hole_weight_0, _S937), 1.0f);
 }
 
-fn prefiltered_components_0( _S911 : u32,  _S912 : Footprint_0,  _S913 : vec3<f32>,  _S914 : vec3<f32>,  _S915 : bool) -> Components_0
+fn prefiltered_components_0( _S939 : u32,  _S940 : Footprint_0,  _S941 : vec3<f32>,  _S942 : vec3<f32>,  _S943 : bool) -> Components_0
 {
-    var _S916 : CoverageTaps_0 = coverage_taps_0(_S911, _S912, _S915);
-    var _S917 : NodeTaps_0 = node_taps_0(_S914);
-    var view_nodes_0 : NodeTaps_0 = _S917;
-    var _S918 : NodeTaps_0 = node_taps_0(_S913);
-    var light_nodes_0 : NodeTaps_0 = _S918;
-    var _S919 : u32 = select(u32(0), u32(1), _S915);
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S919 * u32(256)));
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S919 + select(u32(0), u32(1), (_S913.z) < 0.0f)) * u32(256)));
-    var _S920 : vec3<f32> = half_vector_0(_S913, _S914);
-    var _S921 : vec2<f32> = joint_ratios_0(_S911, _S913, _S914, _S915);
-    var _S922 : Lobes_std430_0 = fabrics_0[_S911].lobes_0;
-    var _S923 : u32 = select(fabrics_0[_S911].lobes_0.front_warp_packs_0, fabrics_0[_S911].lobes_0.back_warp_packs_0, _S915);
+    var _S944 : CoverageTaps_0 = coverage_taps_0(_S939, _S940, _S943);
+    var _S945 : NodeTaps_0 = node_taps_0(_S942);
+    var view_nodes_0 : NodeTaps_0 = _S945;
+    var _S946 : NodeTaps_0 = node_taps_0(_S941);
+    var light_nodes_0 : NodeTaps_0 = _S946;
+    var _S947 : u32 = select(u32(0), u32(1), _S943);
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S947 * u32(256)));
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S947 + select(u32(0), u32(1), (_S941.z) < 0.0f)) * u32(256)));
+    var _S948 : vec3<f32> = half_vector_0(_S941, _S942);
+    var _S949 : vec2<f32> = joint_ratios_0(_S939, _S941, _S942, _S943);
+    var _S950 : Lobes_std430_0 = fabrics_0[_S939].lobes_0;
+    var _S951 : u32 = select(fabrics_0[_S939].lobes_0.front_warp_packs_0, fabrics_0[_S939].lobes_0.back_warp_packs_0, _S943);
     var sums_9 : Components_0;
     sums_9.diffuse_warp_0 = 0.0f;
     sums_9.diffuse_weft_0 = 0.0f;
@@ -3654,26 +3773,26 @@ fn prefiltered_components_0( _S911 : u32,  _S912 : Footprint_0,  _S913 : vec3<f3
     sums_9.specular_weft_0 = 0.0f;
     sums_9.light_visibility_1 = 0.0f;
     var pack_0 : u32 = u32(0);
-    var total_2 : f32 = 0.0f;
+    var total_6 : f32 = 0.0f;
     for(;;)
     {
-        if(pack_0 < (_S922.packs_0))
+        if(pack_0 < (_S950.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S924 : vec4<f32> = coverage_of_pack_0(_S911, _S916, pack_0);
-        var _S925 : vec4<f32> = interpolate_table_0(view_nodes_0, _S922.projected_area_0 + pack_0, _S922.packs_0 + u32(1));
-        var _S926 : vec4<f32> = interpolate_table_0(light_nodes_0, _S922.light_visibility_0 + pack_0, _S922.packs_0) / vec4<f32>(255.0f);
-        var _S927 : vec4<f32> = interpolate_table_0(light_nodes_0, _S922.irradiance_0 + pack_0, _S922.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S928 : bool = pack_0 < _S923;
-        var _S929 : f32 = families_0[select(fabrics_0[_S911].weft_0, fabrics_0[_S911].warp_0, _S928)].roughness_0;
+        var _S952 : vec4<f32> = coverage_of_pack_0(_S939, _S944, pack_0);
+        var _S953 : vec4<f32> = interpolate_table_0(view_nodes_0, _S950.projected_area_0 + pack_0, _S950.packs_0 + u32(1));
+        var _S954 : vec4<f32> = interpolate_table_0(light_nodes_0, _S950.light_visibility_0 + pack_0, _S950.packs_0) / vec4<f32>(255.0f);
+        var _S955 : vec4<f32> = interpolate_table_0(light_nodes_0, _S950.irradiance_0 + pack_0, _S950.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S956 : bool = pack_0 < _S951;
+        var _S957 : f32 = families_0[select(fabrics_0[_S939].weft_0, fabrics_0[_S939].warp_0, _S956)].roughness_0;
         var number_11 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
-        var lit_0 : f32 = 0.0f;
+        var lit_1 : f32 = 0.0f;
         for(;;)
         {
             if(number_11 < u32(4))
@@ -3683,631 +3802,646 @@ fn prefiltered_components_0( _S911 : u32,  _S912 : Footprint_0,  _S913 : vec3<f3
             {
                 break;
             }
-            var _S930 : Group_0 = group_at_0(_S922.moments_0 + u32(12) * (u32(4) * (_S919 * _S922.packs_0 + pack_0) + number_11), _S929);
-            var _S931 : f32 = _S924[number_11] * _S925[number_11] * _S925[number_11] * _S930.weight_2;
-            var diffuse_1 : f32 = diffuse_0 + _S931 * _S927[number_11];
-            var specular_1 : f32 = specular_0 + _S931 * layer_value_0(_S930, _S920, _S913, _S914, fabrics_0[_S911].optical_depth_0) * _S926[number_11];
-            var lit_1 : f32 = lit_0 + _S931 * _S926[number_11];
-            var total_3 : f32 = total_2 + _S931;
+            var _S958 : Group_0 = group_at_0(_S950.moments_0 + u32(12) * (u32(4) * (_S947 * _S950.packs_0 + pack_0) + number_11), _S957);
+            var _S959 : f32 = _S952[number_11] * _S953[number_11] * _S953[number_11] * _S958.weight_2;
+            var diffuse_1 : f32 = diffuse_0 + _S959 * _S955[number_11];
+            var specular_1 : f32 = specular_0 + _S959 * layer_value_0(_S958, _S948, _S941, _S942, fabrics_0[_S939].optical_depth_0) * _S954[number_11];
+            var lit_2 : f32 = lit_1 + _S959 * _S954[number_11];
+            var total_7 : f32 = total_6 + _S959;
             number_11 = number_11 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
-            lit_0 = lit_1;
-            total_2 = total_3;
+            lit_1 = lit_2;
+            total_6 = total_7;
         }
-        sums_9.diffuse_warp_0 = sums_9.diffuse_warp_0 + select(0.0f, diffuse_0, _S928);
-        sums_9.diffuse_weft_0 = sums_9.diffuse_weft_0 + select(diffuse_0, 0.0f, _S928);
-        sums_9.specular_warp_0 = sums_9.specular_warp_0 + select(0.0f, specular_0, _S928);
-        sums_9.specular_weft_0 = sums_9.specular_weft_0 + select(specular_0, 0.0f, _S928);
-        sums_9.light_visibility_1 = sums_9.light_visibility_1 + lit_0 * select(_S921.y, _S921.x, _S928);
+        sums_9.diffuse_warp_0 = sums_9.diffuse_warp_0 + select(0.0f, diffuse_0, _S956);
+        sums_9.diffuse_weft_0 = sums_9.diffuse_weft_0 + select(diffuse_0, 0.0f, _S956);
+        sums_9.specular_warp_0 = sums_9.specular_warp_0 + select(0.0f, specular_0, _S956);
+        sums_9.specular_weft_0 = sums_9.specular_weft_0 + select(specular_0, 0.0f, _S956);
+        sums_9.light_visibility_1 = sums_9.light_visibility_1 + lit_1 * select(_S949.y, _S949.x, _S956);
         pack_0 = pack_0 + u32(1);
     }
-    var _S932 : f32 = prefiltered_hole_0(_S911, _S916, view_nodes_0, _S915);
-    sums_9.hole_2 = _S932;
-    var _S933 : f32 = 1.0f - _S932;
-    var _S934 : f32 = _S933 / max(total_2, 9.999999960041972e-13f);
-    var _S935 : f32 = _S934 * _S921.x;
-    sums_9.diffuse_warp_0 = sums_9.diffuse_warp_0 * _S935;
-    var _S936 : f32 = _S934 * _S921.y;
-    sums_9.diffuse_weft_0 = sums_9.diffuse_weft_0 * _S936;
-    sums_9.specular_warp_0 = sums_9.specular_warp_0 * _S935;
-    sums_9.specular_weft_0 = sums_9.specular_weft_0 * _S936;
-    sums_9.light_visibility_1 = min(sums_9.light_visibility_1 * _S934, _S933);
+    var _S960 : f32 = prefiltered_hole_0(_S939, _S944, view_nodes_0, _S943);
+    sums_9.hole_2 = _S960;
+    var _S961 : f32 = 1.0f - _S960;
+    var _S962 : f32 = _S961 / max(total_6, 9.999999960041972e-13f);
+    var _S963 : f32 = _S962 * _S949.x;
+    sums_9.diffuse_warp_0 = sums_9.diffuse_warp_0 * _S963;
+    var _S964 : f32 = _S962 * _S949.y;
+    sums_9.diffuse_weft_0 = sums_9.diffuse_weft_0 * _S964;
+    sums_9.specular_warp_0 = sums_9.specular_warp_0 * _S963;
+    sums_9.specular_weft_0 = sums_9.specular_weft_0 * _S964;
+    sums_9.light_visibility_1 = min(sums_9.light_visibility_1 * _S962, _S961);
     return sums_9;
 }
 
-fn yarns_over_0( _S937 : u32,  _S938 : Footprint_0,  _S939 : bool) -> Yarns_0
+fn yarns_over_0( _S965 : u32,  _S966 : Footprint_0,  _S967 : bool) -> Yarns_0
 {
-    var _S940 : vec2<f32> = _S938.dx_0;
-    var _S941 : vec2<f32> = _S938.dy_0;
-    var _S942 : vec2<f32> = sqrt(_S940 * _S940 + _S941 * _S941);
-    var _S943 : f32 = Footprint_spread_side_0(_S938);
-    var _S944 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_0 : Yarns_0 = Yarns_x24init_0(_S944, _S944, vec3<f32>(0.0f));
-    var _S945 : bool = (fabrics_0[_S937].is_irregular_0) != u32(0);
+    var _S968 : vec2<f32> = _S966.dx_0;
+    var _S969 : vec2<f32> = _S966.dy_0;
+    var _S970 : vec2<f32> = sqrt(_S968 * _S968 + _S969 * _S969);
+    var _S971 : f32 = Footprint_spread_side_0(_S966);
+    var _S972 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_0 : Yarns_0 = Yarns_x24init_0(_S972, _S972, vec3<f32>(0.0f));
+    var _S973 : bool = (fabrics_0[_S965].is_irregular_0) != u32(0);
     var number_12 : u32 = u32(0);
     for(;;)
     {
-        if(number_12 < select(u32(0), u32(2), _S945))
+        if(number_12 < select(u32(0), u32(2), _S973))
         {
         }
         else
         {
             break;
         }
-        var _S946 : bool = number_12 == u32(0);
-        var _S947 : u32 = select(fabrics_0[_S937].weft_0, fabrics_0[_S937].warp_0, _S946);
-        var _S948 : vec2<f32> = select_vector_0(_S946, _S938.centre_0, _S938.centre_0.yx);
-        var _S949 : vec2<f32> = select_vector_0(_S946, _S942, _S942.yx);
-        var _S950 : f32 = _S948.x;
-        var _S951 : Cell_0 = locate_0(_S947, _S950);
-        var yarn_3 : vec4<f32> = irregular_over_0(_S947, irregular_key_0(_S937, number_12), irregular_thread_0(_S947, _S950, _S951) + _S951.below_0 / (_S951.below_0 + _S951.above_0), _S949.x * (families_0[_S947].count_0 / families_0[_S947].period_0), _S948.y, _S949.y);
-        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S947, _S943));
+        var _S974 : bool = number_12 == u32(0);
+        var _S975 : u32 = select(fabrics_0[_S965].weft_0, fabrics_0[_S965].warp_0, _S974);
+        var _S976 : vec2<f32> = select_vector_0(_S974, _S966.centre_0, _S966.centre_0.yx);
+        var _S977 : vec2<f32> = select_vector_0(_S974, _S970, _S970.yx);
+        var _S978 : f32 = _S976.x;
+        var _S979 : Cell_0 = locate_0(_S975, _S978);
+        var yarn_3 : vec4<f32> = irregular_over_0(_S975, irregular_key_0(_S965, number_12), irregular_thread_0(_S975, _S978, _S979) + _S979.below_0 / (_S979.below_0 + _S979.above_0), _S977.x * (families_0[_S975].count_0 / families_0[_S975].period_0), _S976.y, _S977.y);
+        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S975, _S971));
         yarns_0.warp_4 = yarns_0.weft_4;
         yarns_0.weft_4 = yarn_3;
         number_12 = number_12 + u32(1);
     }
-    var _S952 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S937].warp_0].cover_0, families_0[fabrics_0[_S937].weft_0].cover_0);
-    var _S953 : f32 = select(fabrics_0[_S937].warp_on_top_0, 1.0f - fabrics_0[_S937].warp_on_top_0, _S939);
-    var _S954 : vec3<f32> = shown_of_covers_0(_S952, _S953);
-    var _S955 : vec3<f32> = select_vector_1(_S945, shown_of_covers_0(saturate(_S952 + _S952 * vec2<f32>(yarns_0.warp_4.y, yarns_0.weft_4.y)), _S953) / max(_S954, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_0.shares_0 = _S955;
-    yarns_0.shares_0[i32(2)] = select(1.0f, _S955.z, (_S954.z) > 0.00009999999747379f);
+    var _S980 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S965].warp_0].cover_0, families_0[fabrics_0[_S965].weft_0].cover_0);
+    var _S981 : f32 = select(fabrics_0[_S965].warp_on_top_0, 1.0f - fabrics_0[_S965].warp_on_top_0, _S967);
+    var _S982 : vec3<f32> = shown_of_covers_0(_S980, _S981);
+    var _S983 : vec3<f32> = select_vector_1(_S973, shown_of_covers_0(saturate(_S980 + _S980 * vec2<f32>(yarns_0.warp_4.y, yarns_0.weft_4.y)), _S981) / max(_S982, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_0.shares_0 = _S983;
+    yarns_0.shares_0[i32(2)] = select(1.0f, _S983.z, (_S982.z) > 0.00009999999747379f);
     return yarns_0;
 }
 
-fn with_shares_0( _S956 : u32,  _S957 : Components_0,  _S958 : Yarns_0) -> Components_0
+fn with_shares_0( _S984 : u32,  _S985 : Components_0,  _S986 : Yarns_0) -> Components_0
 {
     var result_8 : Components_0;
-    var _S959 : f32 = min(_S957.hole_2 * _S958.shares_0.z, 1.0f);
-    result_8.hole_2 = _S959;
-    var _S960 : f32 = _S958.shares_0.x;
-    result_8.diffuse_warp_0 = _S957.diffuse_warp_0 * _S960;
-    var _S961 : f32 = _S958.shares_0.y;
-    result_8.diffuse_weft_0 = _S957.diffuse_weft_0 * _S961;
-    result_8.specular_warp_0 = _S957.specular_warp_0 * _S960;
-    result_8.specular_weft_0 = _S957.specular_weft_0 * _S961;
-    result_8.light_visibility_1 = _S957.light_visibility_1 * select(1.0f, (1.0f - _S959) / max(1.0f - _S957.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S956].is_irregular_0) != u32(0));
+    var _S987 : f32 = min(_S985.hole_2 * _S986.shares_0.z, 1.0f);
+    result_8.hole_2 = _S987;
+    var _S988 : f32 = _S986.shares_0.x;
+    result_8.diffuse_warp_0 = _S985.diffuse_warp_0 * _S988;
+    var _S989 : f32 = _S986.shares_0.y;
+    result_8.diffuse_weft_0 = _S985.diffuse_weft_0 * _S989;
+    result_8.specular_warp_0 = _S985.specular_warp_0 * _S988;
+    result_8.specular_weft_0 = _S985.specular_weft_0 * _S989;
+    result_8.light_visibility_1 = _S985.light_visibility_1 * select(1.0f, (1.0f - _S987) / max(1.0f - _S985.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S984].is_irregular_0) != u32(0));
     return result_8;
 }
 
-fn stack_share_0( _S962 : u32,  _S963 : vec2<f32>,  _S964 : vec2<f32>,  _S965 : u32) -> f32
+struct NearestLayer_0
 {
-    if((fabrics_0[_S962].stacks_0) == u32(1))
+     number_13 : u32,
+     weight_10 : f32,
+};
+
+fn stack_share_0( _S990 : u32,  _S991 : vec2<f32>,  _S992 : vec2<f32>,  _S993 : u32) -> f32
+{
+    if((fabrics_0[_S990].stacks_0) == u32(1))
     {
         return 1.0f;
     }
-    var _S966 : u32 = fabrics_0[_S962].plane_axes_0 + u32(1);
-    var _S967 : Stretch_0 = stretch_of_0(fabrics_0[_S962].plane_axes_0, _S963.x, _S964.x);
-    var _S968 : Stretch_0 = stretch_of_0(_S966, _S963.y, _S964.y);
-    return clamp(integral_on_top_0(fabrics_0[_S962].plane_axes_0, _S967, _S968, u32(families_0[_S966].count_0), _S965) / (lengths_0(fabrics_0[_S962].plane_axes_0, _S967).x * lengths_0(_S966, _S968).x), 0.0f, 1.0f);
+    var _S994 : u32 = fabrics_0[_S990].plane_axes_0 + u32(1);
+    var _S995 : Stretch_0 = stretch_of_0(fabrics_0[_S990].plane_axes_0, _S991.x, _S992.x);
+    var _S996 : Stretch_0 = stretch_of_0(_S994, _S991.y, _S992.y);
+    return clamp(integral_on_top_0(fabrics_0[_S990].plane_axes_0, _S995, _S996, u32(families_0[_S994].count_0), _S993) / (lengths_0(fabrics_0[_S990].plane_axes_0, _S995).x * lengths_0(_S994, _S996).x), 0.0f, 1.0f);
 }
 
-fn albedos_over_0( _S969 : u32,  _S970 : Footprint_0,  _S971 : bool) -> FamilyAlbedos_0
+fn layered_albedos_0( _S997 : u32,  _S998 : Footprint_0,  _S999 : NearestLayer_0,  _S1000 : bool,  _S1001 : vec3<f32>,  _S1002 : vec3<f32>) -> LayeredAlbedos_0
 {
-    var _S972 : vec2<f32> = _S970.dx_0;
-    var _S973 : vec2<f32> = _S970.dy_0;
-    var _S974 : vec2<f32> = sqrt(_S972 * _S972 + _S973 * _S973);
-    var _S975 : vec3<f32> = vec3<f32>(0.0f);
-    var _S976 : Albedos_0 = Albedos_x24init_0(_S975, _S975, _S975, _S975);
-    var sums_10 : FamilyAlbedos_0 = FamilyAlbedos_x24init_0(_S976, _S976);
-    var _S977 : vec2<f32> = vec2<f32>(0.0f);
-    var number_13 : u32 = u32(0);
-    var areas_0 : vec2<f32> = _S977;
+    var _S1003 : vec2<f32> = _S998.dx_0;
+    var _S1004 : vec2<f32> = _S998.dy_0;
+    var _S1005 : vec2<f32> = sqrt(_S1003 * _S1003 + _S1004 * _S1004);
+    var _S1006 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1007 : Albedos_0 = Albedos_x24init_0(_S1006, _S1006, _S1006, _S1006);
+    var _S1008 : LayersBehind_0 = LayersBehind_x24init_0(_S1006, _S1006);
+    var found_1 : LayeredAlbedos_0 = LayeredAlbedos_x24init_0(FamilyAlbedos_x24init_0(_S1007, _S1007), _S1008);
+    var _S1009 : LayerSums_0 = LayerSums_x24init_0(_S1007, 0.0f, _S1008);
+    var warp_10 : LayerSums_0 = _S1009;
+    var weft_10 : LayerSums_0 = _S1009;
+    var number_14 : u32 = u32(0);
     for(;;)
     {
-        if(number_13 < (plane_count_0(_S969)))
+        if(number_14 < (plane_count_0(_S997)))
         {
         }
         else
         {
             break;
         }
-        var _S978 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S969, number_13), _S970.centre_0, _S974, _S971);
-        if(!is_layered_0(_S969))
+        var _S1010 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S997, number_14), _S998.centre_0, _S1005, _S1000);
+        if(!is_layered_0(_S997))
         {
-            return _S978;
+            found_1.albedos_2 = _S1010;
+            return found_1;
         }
-        var _S979 : PlaneShares_0 = PlaneShares_x24init_0(0.0f, _S975, _S975);
-        var warp_10 : PlaneShares_0 = _S979;
-        var weft_10 : PlaneShares_0 = _S979;
+        var _S1011 : f32 = select(1.0f - _S999.weight_10, 1.0f, number_14 == (_S999.number_13));
         var stack_0 : u32 = u32(0);
         for(;;)
         {
-            if(stack_0 < (fabrics_0[_S969].stacks_0))
+            if(stack_0 < (fabrics_0[_S997].stacks_0))
             {
             }
             else
             {
                 break;
             }
-            var _S980 : f32 = stack_share_0(_S969, _S970.centre_0, _S974, stack_0);
-            var _S981 : u32 = fabrics_0[_S969].plane_shares_0 + u32(14) * (u32(2) * (stack_0 * fabrics_0[_S969].planes_0 + number_13) + select(u32(0), u32(1), _S971));
-            var _S982 : PlaneShares_0 = with_shares_at_0(warp_10, _S980, _S981);
-            var _S983 : PlaneShares_0 = with_shares_at_0(weft_10, _S980, _S981 + u32(7));
-            var _S984 : u32 = stack_0 + u32(1);
-            warp_10 = _S982;
-            weft_10 = _S983;
-            stack_0 = _S984;
+            var _S1012 : f32 = stack_share_0(_S997, _S998.centre_0, _S1005, stack_0);
+            var _S1013 : u32 = fabrics_0[_S997].plane_shares_0 + u32(144) * (u32(2) * (stack_0 * fabrics_0[_S997].planes_0 + number_14) + select(u32(0), u32(1), _S1000));
+            var _S1014 : LayerSums_0 = with_seen_0(warp_10, _S1010.warp_6, families_0[fabrics_0[_S997].warp_0].layer_through_0, _S1013, _S1012, _S1011, _S1001, _S1002);
+            var _S1015 : LayerSums_0 = with_seen_0(weft_10, _S1010.weft_6, families_0[fabrics_0[_S997].weft_0].layer_through_0, _S1013 + u32(72), _S1012, _S1011, _S1001, _S1002);
+            var _S1016 : u32 = stack_0 + u32(1);
+            warp_10 = _S1014;
+            weft_10 = _S1015;
+            stack_0 = _S1016;
         }
-        sums_10.warp_6 = with_plane_0(sums_10.warp_6, _S978.warp_6, warp_10);
-        sums_10.weft_6 = with_plane_0(sums_10.weft_6, _S978.weft_6, weft_10);
-        var areas_1 : vec2<f32> = areas_0 + vec2<f32>(warp_10.area_0, weft_10.area_0);
-        number_13 = number_13 + u32(1);
-        areas_0 = areas_1;
+        number_14 = number_14 + u32(1);
     }
-    var means_0 : FamilyAlbedos_0;
-    means_0.warp_6 = divided_0(sums_10.warp_6, areas_0.x);
-    means_0.weft_6 = divided_0(sums_10.weft_6, areas_0.y);
-    return means_0;
-}
-
-fn toned_0( _S985 : u32,  _S986 : u32,  _S987 : Albedos_0,  _S988 : vec4<f32>) -> Albedos_0
-{
-    var _S989 : vec3<f32> = _S987.diffuse_reflect_0 + _S987.diffuse_transmit_0;
-    var _S990 : vec3<f32> = vec3<f32>(1.0f);
-    var _S991 : vec3<f32> = _S990 - vec3<f32>(fabrics_0[_S985].layer_bound_0) * max(_S987.specular_reflect_0, _S987.specular_transmit_0);
-    var _S992 : vec3<f32> = vec3<f32>(0.0f);
-    var _S993 : vec3<f32> = max(_S990 - _S989, _S992) / (_S990 + _S989);
-    var _S994 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S995 : vec3<f32> = (_S991 / max(_S989, _S994) - _S990) / max(vec3<f32>(0.89999997615814209f) * _S993, _S994);
-    var _S996 : vec3<f32> = _S990 - vec3<f32>((saturate(min(min(_S995.x, _S995.y), _S995.z)) * _S988.z)) * _S993;
-    var _S997 : vec3<f32> = min(vec3<f32>(families_0[_S986].nep_red_0, families_0[_S986].nep_green_0, families_0[_S986].nep_blue_0), _S991);
-    var found_1 : Albedos_0 = _S987;
-    var _S998 : f32 = _S988.w;
-    var _S999 : vec3<f32> = _S996 * _S987.diffuse_transmit_0 * vec3<f32>((1.0f - _S998));
-    found_1.diffuse_transmit_0 = _S999;
-    found_1.diffuse_reflect_0 = clamp(mix(_S996 * _S987.diffuse_reflect_0, _S997, vec3<f32>(_S998)), _S992, max(_S991 - _S999, _S992));
+    found_1.albedos_2.warp_6 = divided_0(warp_10.albedos_4, warp_10.weight_3);
+    found_1.albedos_2.weft_6 = divided_0(weft_10.albedos_4, weft_10.weight_3);
+    found_1.behind_0.reflected_0 = warp_10.behind_2.reflected_0 + weft_10.behind_2.reflected_0;
+    found_1.behind_0.transmitted_0 = warp_10.behind_2.transmitted_0 + weft_10.behind_2.transmitted_0;
     return found_1;
 }
 
-fn with_tones_0( _S1000 : u32,  _S1001 : FamilyAlbedos_0,  _S1002 : Yarns_0) -> FamilyAlbedos_0
+fn toned_0( _S1017 : u32,  _S1018 : u32,  _S1019 : Albedos_0,  _S1020 : vec4<f32>) -> Albedos_0
 {
-    if((fabrics_0[_S1000].is_irregular_0) == u32(0))
+    var _S1021 : vec3<f32> = _S1019.diffuse_reflect_0 + _S1019.diffuse_transmit_0;
+    var _S1022 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1023 : vec3<f32> = _S1022 - vec3<f32>(fabrics_0[_S1017].layer_bound_0) * max(_S1019.specular_reflect_0, _S1019.specular_transmit_0);
+    var _S1024 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1025 : vec3<f32> = max(_S1022 - _S1021, _S1024) / (_S1022 + _S1021);
+    var _S1026 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S1027 : vec3<f32> = (_S1023 / max(_S1021, _S1026) - _S1022) / max(vec3<f32>(0.89999997615814209f) * _S1025, _S1026);
+    var _S1028 : vec3<f32> = _S1022 - vec3<f32>((saturate(min(min(_S1027.x, _S1027.y), _S1027.z)) * _S1020.z)) * _S1025;
+    var _S1029 : vec3<f32> = min(vec3<f32>(families_0[_S1018].nep_red_0, families_0[_S1018].nep_green_0, families_0[_S1018].nep_blue_0), _S1023);
+    var found_2 : Albedos_0 = _S1019;
+    var _S1030 : f32 = _S1020.w;
+    var _S1031 : vec3<f32> = _S1028 * _S1019.diffuse_transmit_0 * vec3<f32>((1.0f - _S1030));
+    found_2.diffuse_transmit_0 = _S1031;
+    found_2.diffuse_reflect_0 = clamp(mix(_S1028 * _S1019.diffuse_reflect_0, _S1029, vec3<f32>(_S1030)), _S1024, max(_S1023 - _S1031, _S1024));
+    return found_2;
+}
+
+fn with_tones_0( _S1032 : u32,  _S1033 : FamilyAlbedos_0,  _S1034 : Yarns_0) -> FamilyAlbedos_0
+{
+    if((fabrics_0[_S1032].is_irregular_0) == u32(0))
     {
-        return _S1001;
+        return _S1033;
     }
     var result_9 : FamilyAlbedos_0;
-    result_9.warp_6 = toned_0(_S1000, fabrics_0[_S1000].warp_0, _S1001.warp_6, _S1002.warp_4);
-    result_9.weft_6 = toned_0(_S1000, fabrics_0[_S1000].weft_0, _S1001.weft_6, _S1002.weft_4);
+    result_9.warp_6 = toned_0(_S1032, fabrics_0[_S1032].warp_0, _S1033.warp_6, _S1034.warp_4);
+    result_9.weft_6 = toned_0(_S1032, fabrics_0[_S1032].weft_0, _S1033.weft_6, _S1034.weft_4);
     return result_9;
 }
 
-fn detail_gain_0( _S1003 : u32,  _S1004 : u32,  _S1005 : SurfacePoint_0,  _S1006 : bool,  _S1007 : u32,  _S1008 : f32) -> vec2<f32>
+fn detail_gain_0( _S1035 : u32,  _S1036 : u32,  _S1037 : SurfacePoint_0,  _S1038 : bool,  _S1039 : u32,  _S1040 : f32) -> vec2<f32>
 {
-    var _S1009 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1041 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S1004].has_plies_0) > 0.0f)
+    if((families_0[_S1036].has_plies_0) > 0.0f)
     {
-        gain_2 = groove_0(0.94999998807907104f * fade_0(_S1008, 1.0f / families_0[_S1004].plies_per_mm_0), ply_offset_0(_S1004, _S1005, _S1006));
+        gain_2 = groove_0(0.94999998807907104f * fade_0(_S1040, 1.0f / families_0[_S1036].plies_per_mm_0), ply_offset_0(_S1036, _S1037, _S1038));
     }
     else
     {
-        gain_2 = _S1009;
+        gain_2 = _S1041;
     }
-    if((families_0[_S1004].fibre_tone_0) > 0.0f)
+    if((families_0[_S1036].fibre_tone_0) > 0.0f)
     {
-        var _S1010 : FibreNoise_0 = fibre_noise_at_0(_S1003, _S1004, _S1005, _S1007, _S1008);
-        var _S1011 : f32 = 4.5f * families_0[_S1004].fibre_tone_0;
-        gain_2 = gain_2 + vec2<f32>(families_0[_S1004].fibre_tone_0) * vec2<f32>(_S1010.bundle_weight_0 * _S1010.bundle_0.y + _S1010.fibre_weight_0 * _S1010.fibre_0.y, _S1010.bundle_weight_0 + _S1010.fibre_weight_0) + (groove_0(_S1011 * (_S1010.bundle_weight_0 * (0.5f * (_S1010.bundle_0.x - 1.0f) + 1.0f)), _S1010.bundle_offset_0) + groove_0(_S1011 * _S1010.fibre_weight_0, _S1010.offset_2));
+        var _S1042 : FibreNoise_0 = fibre_noise_at_0(_S1035, _S1036, _S1037, _S1039, _S1040);
+        var _S1043 : f32 = 4.5f * families_0[_S1036].fibre_tone_0;
+        gain_2 = gain_2 + vec2<f32>(families_0[_S1036].fibre_tone_0) * vec2<f32>(_S1042.bundle_weight_0 * _S1042.bundle_0.y + _S1042.fibre_weight_0 * _S1042.fibre_0.y, _S1042.bundle_weight_0 + _S1042.fibre_weight_0) + (groove_0(_S1043 * (_S1042.bundle_weight_0 * (0.5f * (_S1042.bundle_0.x - 1.0f) + 1.0f)), _S1042.bundle_offset_0) + groove_0(_S1043 * _S1042.fibre_weight_0, _S1042.offset_2));
     }
-    if((families_0[_S1004].slub_0) > 0.0f)
+    if((families_0[_S1036].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S1004].slub_0 * fade_0(_S1008, 1.0f / families_0[_S1004].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S1007, ((fabrics_0[_S1003].seed_0) ^ (u32(1373058189)))), select(- _S1005.x_8, _S1005.y_2, _S1005.is_warp_0) * families_0[_S1004].slubs_per_mm_0).x, 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S1036].slub_0 * fade_0(_S1040, 1.0f / families_0[_S1036].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S1039, ((fabrics_0[_S1035].seed_0) ^ (u32(1373058189)))), select(- _S1037.x_8, _S1037.y_2, _S1037.is_warp_0) * families_0[_S1036].slubs_per_mm_0).x, 1.0f);
     }
     return vec2<f32>(max(gain_2.x, -0.94999998807907104f), gain_2.y);
 }
 
-fn vary_albedos_0( _S1012 : u32,  _S1013 : Albedos_0,  _S1014 : u32,  _S1015 : u32,  _S1016 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S1044 : u32,  _S1045 : Albedos_0,  _S1046 : u32,  _S1047 : u32,  _S1048 : vec2<f32>) -> Albedos_0
 {
-    var _S1017 : vec3<f32> = max(_S1013.specular_reflect_0, _S1013.specular_transmit_0);
-    var _S1018 : vec3<f32> = _S1013.diffuse_reflect_0 + _S1013.diffuse_transmit_0;
-    var _S1019 : vec3<f32> = vec3<f32>(fabrics_0[_S1012].layer_bound_0);
-    var _S1020 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1021 : vec3<f32> = _S1020 - _S1019 * _S1017;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S1014, fabrics_0[_S1012].colour_noise_0, fabrics_0[_S1012].seed_0), _S1018, _S1021);
-    var _S1022 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S1016.y, vec3<f32>(colour_1) * _S1018, _S1021) * _S1016.x)));
-    var _S1023 : f32 = bounded_gain_0(fibre_gain_0(_S1014, _S1015, fabrics_0[_S1012].fibre_noise_0, fabrics_0[_S1012].seed_0), _S1017, min((_S1020 - _S1022 * _S1018) / _S1019, vec3<f32>(1.0f)));
+    var _S1049 : vec3<f32> = max(_S1045.specular_reflect_0, _S1045.specular_transmit_0);
+    var _S1050 : vec3<f32> = _S1045.diffuse_reflect_0 + _S1045.diffuse_transmit_0;
+    var _S1051 : vec3<f32> = vec3<f32>(fabrics_0[_S1044].layer_bound_0);
+    var _S1052 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1053 : vec3<f32> = _S1052 - _S1051 * _S1049;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S1046, fabrics_0[_S1044].colour_noise_0, fabrics_0[_S1044].seed_0), _S1050, _S1053);
+    var _S1054 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S1048.y, vec3<f32>(colour_1) * _S1050, _S1053) * _S1048.x)));
+    var _S1055 : f32 = bounded_gain_0(fibre_gain_0(_S1046, _S1047, fabrics_0[_S1044].fibre_noise_0, fabrics_0[_S1044].seed_0), _S1049, min((_S1052 - _S1054 * _S1050) / _S1051, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S1022 * _S1013.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S1022 * _S1013.diffuse_transmit_0;
-    var _S1024 : vec3<f32> = vec3<f32>(_S1023);
-    varied_0.specular_reflect_0 = _S1024 * _S1013.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S1024 * _S1013.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S1054 * _S1045.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S1054 * _S1045.diffuse_transmit_0;
+    var _S1056 : vec3<f32> = vec3<f32>(_S1055);
+    varied_0.specular_reflect_0 = _S1056 * _S1045.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S1056 * _S1045.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S1025 : u32,  _S1026 : SurfacePoint_0,  _S1027 : Albedos_0,  _S1028 : bool,  _S1029 : f32,  _S1030 : f32) -> Albedos_0
+fn varied_at_0( _S1057 : u32,  _S1058 : SurfacePoint_0,  _S1059 : Albedos_0,  _S1060 : bool,  _S1061 : f32,  _S1062 : f32) -> Albedos_0
 {
-    var _S1031 : u32 = thread_number_0(_S1025, _S1026);
-    var _S1032 : vec3<f32> = fibre_cell_0(_S1026.fibre_across_0, _S1026.fibre_along_0, fabrics_0[_S1025].fibre_size_0);
-    var _S1033 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1063 : u32 = thread_number_0(_S1057, _S1058);
+    var _S1064 : vec3<f32> = fibre_cell_0(_S1058.fibre_across_0, _S1058.fibre_along_0, fabrics_0[_S1057].fibre_size_0);
+    var _S1065 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S1025].has_detail_0) != u32(0)) & ((_S1029 >= 0.0f))))
+    if((((fabrics_0[_S1057].has_detail_0) != u32(0)) & ((_S1061 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S1025, select(fabrics_0[_S1025].weft_0, fabrics_0[_S1025].warp_0, _S1026.is_warp_0), _S1026, _S1028, _S1031, _S1029) * vec2<f32>(1.0f - _S1030, 1.0f);
+        gain_3 = detail_gain_0(_S1057, select(fabrics_0[_S1057].weft_0, fabrics_0[_S1057].warp_0, _S1058.is_warp_0), _S1058, _S1060, _S1063, _S1061) * vec2<f32>(1.0f - _S1062, 1.0f);
     }
     else
     {
-        gain_3 = _S1033;
+        gain_3 = _S1065;
     }
-    return vary_albedos_0(_S1025, _S1027, _S1031, u32(i32(_S1032.x)) * u32(65536) + u32(i32(floor(_S1032.y))), gain_3);
+    return vary_albedos_0(_S1057, _S1059, _S1063, u32(i32(_S1064.x)) * u32(65536) + u32(i32(floor(_S1064.y))), gain_3);
 }
 
-fn lobes_estimate_of_pass_0( _S1034 : u32,  _S1035 : Footprint_0,  _S1036 : f32,  _S1037 : vec2<f32>,  _S1038 : vec3<f32>,  _S1039 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S1066 : u32,  _S1067 : Footprint_0,  _S1068 : f32,  _S1069 : vec2<f32>,  _S1070 : vec3<f32>,  _S1071 : vec3<f32>) -> Estimate_0
 {
-    var _S1040 : f32;
-    var _S1041 : Regime_0 = regime_of_0(_S1034, _S1035, _S1036);
-    var _S1042 : bool = (_S1039.z) < 0.0f;
-    var _S1043 : vec3<f32> = to_face_frame_0(_S1039, _S1042);
-    var _S1044 : f32 = Footprint_spread_side_0(_S1035);
-    var _S1045 : bool = varies_at_0(_S1034, _S1044);
-    var _S1046 : f32 = 1.0f - _S1041.prefiltered_0;
-    var _S1047 : bool = ((_S1046 > 0.0f) & (((((_S1045 | (((fabrics_0[_S1034].is_coloured_0) != u32(0))))) | (((fabrics_0[_S1034].is_irregular_0) != u32(0)))))));
-    var box_0 : Footprint_0 = _S1035;
-    var _S1048 : vec3<f32> = vec3<f32>(0.0f);
-    var _S1049 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S1048, _S1048, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f);
-    var _S1050 : Components_0 = no_components_0();
+    var _S1072 : f32;
+    var _S1073 : Regime_0 = regime_of_0(_S1066, _S1067, _S1068);
+    var _S1074 : bool = (_S1071.z) < 0.0f;
+    var _S1075 : vec3<f32> = to_face_frame_0(_S1071, _S1074);
+    var _S1076 : f32 = Footprint_spread_side_0(_S1067);
+    var _S1077 : bool = varies_at_0(_S1066, _S1076);
+    var _S1078 : f32 = 1.0f - _S1073.prefiltered_0;
+    var _S1079 : bool = ((_S1078 > 0.0f) & (((((((_S1077 | (((fabrics_0[_S1066].is_coloured_0) != u32(0))))) | ((is_layered_0(_S1066))))) | (((fabrics_0[_S1066].is_irregular_0) != u32(0)))))));
+    var box_0 : Footprint_0 = _S1067;
+    var _S1080 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1081 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S1080, _S1080, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, u32(0));
+    var _S1082 : Components_0 = no_components_0();
     var close_1 : CloseUp_0 = no_close_up_0();
-    var _S1051 : u32 = select(u32(1), u32(0), _S1047);
-    var points_1 : Components_0 = _S1050;
+    var _S1083 : u32 = select(u32(1), u32(0), _S1079);
+    var points_1 : Components_0 = _S1082;
+    var central_0 : SurfacePoint_0 = _S1081;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S1049;
-    var number_14 : u32 = _S1051;
+    var number_15 : u32 = _S1083;
     for(;;)
     {
-        var _S1052 : f32 = f32(number_14);
-        _S1040 = _S1041.points_0;
-        if(_S1052 < (_S1041.points_0 + 1.0f))
+        var _S1084 : f32 = f32(number_15);
+        _S1072 = _S1073.points_0;
+        if(_S1084 < (_S1073.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S1053 : bool = number_14 == u32(0);
-        var _S1054 : u32 = number_14 - u32(1);
-        var _S1055 : vec2<f32> = POINT_OFFSETS_0[select(_S1054, u32(0), _S1053)] + _S1037;
-        var _S1056 : vec2<f32> = select_vector_0(_S1053, vec2<f32>(0.0f), _S1055 - round(_S1055));
-        var _S1057 : vec2<f32> = _S1035.centre_0 + vec2<f32>(_S1056.x) * _S1035.dx_0 + vec2<f32>(_S1056.y) * _S1035.dy_0;
-        var _S1058 : SearchQuality_0 = quality_of_0(select(_S1041.threads_2, 0.0f, _S1053));
-        var _S1059 : Hit_0 = first_hit_0(_S1034, _S1058, _S1057.x, _S1057.y, _S1043, _S1042);
-        var _S1060 : SurfacePoint_0 = surface_met_0(_S1034, _S1059.x_21, _S1059.y_14, _S1059.height_9, _S1043, _S1042);
-        if(_S1053)
+        var _S1085 : bool = number_15 == u32(0);
+        var _S1086 : u32 = number_15 - u32(1);
+        var _S1087 : vec2<f32> = POINT_OFFSETS_0[select(_S1086, u32(0), _S1085)] + _S1069;
+        var _S1088 : vec2<f32> = select_vector_0(_S1085, vec2<f32>(0.0f), _S1087 - round(_S1087));
+        var _S1089 : vec2<f32> = _S1067.centre_0 + vec2<f32>(_S1088.x) * _S1067.dx_0 + vec2<f32>(_S1088.y) * _S1067.dy_0;
+        var _S1090 : SearchQuality_0 = quality_of_0(select(_S1073.threads_2, 0.0f, _S1085));
+        var _S1091 : Hit_0 = first_hit_0(_S1066, _S1090, _S1089.x, _S1089.y, _S1075, _S1074);
+        var _S1092 : SurfacePoint_0 = surface_met_0(_S1066, _S1091.x_21, _S1091.y_14, _S1091.height_9, _S1075, _S1074);
+        if(_S1085)
         {
-            var central_weight_1 : f32 = select(_S1046, 0.0f, _S1059.hole_7);
-            box_0.centre_0 = mix(_S1035.centre_0, vec2<f32>(_S1059.x_21, _S1059.y_14), vec2<f32>(central_weight_1));
+            var central_weight_1 : f32 = select(_S1078, 0.0f, _S1091.hole_7);
+            box_0.centre_0 = mix(_S1067.centre_0, vec2<f32>(_S1091.x_21, _S1091.y_14), vec2<f32>(central_weight_1));
+            central_0 = _S1092;
             central_weight_0 = central_weight_1;
-            central_0 = _S1060;
-            number_14 = number_14 + u32(1);
+            number_15 = number_15 + u32(1);
             continue;
         }
-        var _S1061 : YarnPoint_0 = uncoloured_point_0(_S1034, _S1060, _S1043, _S1042, _S1059.hole_7, _S1044);
-        var _S1062 : f32 = min(_S1041.points_0 - f32(_S1054), 1.0f);
-        var _S1063 : Components_0 = with_added_0(points_1, components_of_point_0(_S1034, _S1058, _S1061, _S1038, _S1039), _S1062);
-        if((fabrics_0[_S1034].openness_0) != u32(4294967295))
+        var _S1093 : YarnPoint_0 = uncoloured_point_0(_S1066, _S1092, _S1075, _S1074, _S1091.hole_7, _S1076);
+        var _S1094 : f32 = min(_S1073.points_0 - f32(_S1086), 1.0f);
+        var _S1095 : Components_0 = with_added_0(points_1, components_of_point_0(_S1066, _S1090, _S1093, _S1070, _S1071), _S1094);
+        if((fabrics_0[_S1066].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S1034, close_1.warp_1, _S1061, true, _S1062);
-            close_1.weft_1 = with_blocked_0(_S1034, close_1.weft_1, _S1061, false, _S1062);
+            close_1.warp_1 = with_blocked_0(_S1066, close_1.warp_1, _S1093, true, _S1094);
+            close_1.weft_1 = with_blocked_0(_S1066, close_1.weft_1, _S1093, false, _S1094);
         }
-        points_1 = _S1063;
-        number_14 = number_14 + u32(1);
+        points_1 = _S1095;
+        number_15 = number_15 + u32(1);
     }
-    close_1.weight_0 = _S1046;
-    var _S1064 : f32 = max(_S1040, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S1064);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S1064);
+    close_1.weight_0 = _S1078;
+    var _S1096 : f32 = max(_S1072, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S1096);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S1096);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S1050, points_1, _S1046 / _S1064);
-    if((_S1041.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S1082, points_1, _S1078 / _S1096);
+    if((_S1073.prefiltered_0) > 0.0f)
     {
-        var _S1065 : Components_0 = prefiltered_components_0(_S1034, _S1035, to_face_frame_0(_S1038, _S1042), _S1043, _S1042);
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S1065, _S1041.prefiltered_0);
+        var _S1097 : Components_0 = prefiltered_components_0(_S1066, _S1067, to_face_frame_0(_S1070, _S1074), _S1075, _S1074);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S1097, _S1073.prefiltered_0);
     }
-    var _S1066 : Yarns_0 = yarns_over_0(_S1034, box_0, _S1042);
-    estimate_0.components_0 = with_shares_0(_S1034, estimate_0.components_0, _S1066);
-    estimate_0.albedos_9 = with_tones_0(_S1034, albedos_over_0(_S1034, box_0, _S1042), _S1066);
-    if((_S1045 & ((central_weight_0 > 0.0f))))
+    var _S1098 : Yarns_0 = yarns_over_0(_S1066, box_0, _S1074);
+    estimate_0.components_0 = with_shares_0(_S1066, estimate_0.components_0, _S1098);
+    var nearest_0 : NearestLayer_0;
+    nearest_0.number_13 = central_0.layer_0;
+    nearest_0.weight_10 = central_weight_0;
+    var _S1099 : LayeredAlbedos_0 = layered_albedos_0(_S1066, box_0, nearest_0, _S1074, to_face_frame_0(_S1070, _S1074), _S1075);
+    estimate_0.behind_4 = _S1099.behind_0;
+    estimate_0.albedos_14 = with_tones_0(_S1066, _S1099.albedos_2, _S1098);
+    if((_S1077 & ((central_weight_0 > 0.0f))))
     {
-        var _S1067 : SurfacePoint_0 = central_0;
-        var _S1068 : Albedos_0;
+        var _S1100 : SurfacePoint_0 = central_0;
+        var _S1101 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S1068 = estimate_0.albedos_9.warp_6;
+            _S1101 = estimate_0.albedos_14.warp_6;
         }
         else
         {
-            _S1068 = estimate_0.albedos_9.weft_6;
+            _S1101 = estimate_0.albedos_14.weft_6;
         }
-        var _S1069 : bool;
-        if((fabrics_0[_S1034].has_detail_0) != u32(0))
+        var _S1102 : bool;
+        if((fabrics_0[_S1066].has_detail_0) != u32(0))
         {
-            _S1069 = has_hairs_0(_S1034);
+            _S1102 = has_hairs_0(_S1066);
         }
         else
         {
-            _S1069 = false;
+            _S1102 = false;
         }
         var cover_4 : f32;
-        if(_S1069)
+        if(_S1102)
         {
-            cover_4 = hair_towards_0(_S1034, hairs_over_0(_S1034, central_0, _S1042, _S1044), _S1043, _S1044).cover_1;
+            cover_4 = hair_towards_0(_S1066, hairs_over_0(_S1066, central_0, _S1074, _S1076), _S1075, _S1076).cover_1;
         }
         else
         {
             cover_4 = 0.0f;
         }
-        var _S1070 : Albedos_0 = lerp_albedos_0(_S1068, varied_at_0(_S1034, central_0, _S1068, _S1042, _S1044, cover_4), central_weight_0);
-        if(_S1067.is_warp_0)
+        var _S1103 : Albedos_0 = lerp_albedos_0(_S1101, varied_at_0(_S1066, central_0, _S1101, _S1074, _S1076, cover_4), central_weight_0);
+        if(_S1100.is_warp_0)
         {
-            estimate_0.albedos_9.warp_6 = _S1070;
+            estimate_0.albedos_14.warp_6 = _S1103;
         }
         else
         {
-            estimate_0.albedos_9.weft_6 = _S1070;
+            estimate_0.albedos_14.weft_6 = _S1103;
         }
     }
     return estimate_0;
 }
 
-fn diffuse_kept_0( _S1071 : u32,  _S1072 : vec3<f32>,  _S1073 : vec3<f32>) -> f32
+fn diffuse_kept_0( _S1104 : u32,  _S1105 : vec3<f32>,  _S1106 : vec3<f32>) -> f32
 {
-    return (1.0f - fabrics_0[_S1071].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S1072.z), 0.0f))) * (1.0f - fabrics_0[_S1071].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S1073.z), 0.0f)));
+    return (1.0f - fabrics_0[_S1104].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S1105.z), 0.0f))) * (1.0f - fabrics_0[_S1104].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S1106.z), 0.0f)));
 }
 
-fn highlight_rise_0( _S1074 : u32,  _S1075 : vec3<f32>,  _S1076 : vec3<f32>) -> f32
+fn highlight_rise_0( _S1107 : u32,  _S1108 : vec3<f32>,  _S1109 : vec3<f32>) -> f32
 {
-    var _S1077 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S1075, _S1076) + 0.5f, 9.99999993922529029e-09f, 1.0f));
-    return fabrics_0[_S1074].grazing_gain_0 * fourth_power_0(_S1077) * _S1077;
+    var _S1110 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S1108, _S1109) + 0.5f, 9.99999993922529029e-09f, 1.0f));
+    return fabrics_0[_S1107].grazing_gain_0 * fourth_power_0(_S1110) * _S1110;
 }
 
-fn towards_grazing_0( _S1078 : u32,  _S1079 : Albedos_0,  _S1080 : vec3<f32>,  _S1081 : vec3<f32>) -> Albedos_0
+fn towards_grazing_0( _S1111 : u32,  _S1112 : Albedos_0,  _S1113 : vec3<f32>,  _S1114 : vec3<f32>) -> Albedos_0
 {
-    var _S1082 : f32 = diffuse_kept_0(_S1078, _S1080, _S1081);
-    var result_10 : Albedos_0 = _S1079;
-    var _S1083 : vec3<f32> = vec3<f32>(_S1082);
-    result_10.diffuse_reflect_0 = result_10.diffuse_reflect_0 * _S1083;
-    result_10.diffuse_transmit_0 = result_10.diffuse_transmit_0 * _S1083;
-    result_10.specular_reflect_0 = result_10.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S1078, _S1080, _S1081));
+    var _S1115 : f32 = diffuse_kept_0(_S1111, _S1113, _S1114);
+    var result_10 : Albedos_0 = _S1112;
+    var _S1116 : vec3<f32> = vec3<f32>(_S1115);
+    result_10.diffuse_reflect_0 = result_10.diffuse_reflect_0 * _S1116;
+    result_10.diffuse_transmit_0 = result_10.diffuse_transmit_0 * _S1116;
+    result_10.specular_reflect_0 = result_10.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S1111, _S1113, _S1114));
     return result_10;
 }
 
-fn scattered_by_0( _S1084 : u32,  _S1085 : Albedos_0,  _S1086 : u32,  _S1087 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S1117 : u32,  _S1118 : Albedos_0,  _S1119 : u32,  _S1120 : vec3<f32>) -> Scattered_0
 {
-    var _S1088 : u32 = u32(159) + u32(2) * _S1086;
+    var _S1121 : u32 = u32(159) + u32(2) * _S1119;
     var yarn_4 : Scattered_0;
-    yarn_4.back_14 = _S1087 * _S1085.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S1084, _S1088)) * _S1085.specular_reflect_0;
-    yarn_4.through_0 = _S1087 * _S1085.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S1084, _S1088 + u32(1))) * _S1085.specular_transmit_0;
+    yarn_4.back_14 = _S1120 * _S1118.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S1117, _S1121)) * _S1118.specular_reflect_0;
+    yarn_4.through_1 = _S1120 * _S1118.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S1117, _S1121 + u32(1))) * _S1118.specular_transmit_0;
     return yarn_4;
 }
 
-fn sent_0( _S1089 : u32,  _S1090 : u32,  _S1091 : vec3<f32>,  _S1092 : vec3<f32>,  _S1093 : vec3<f32>,  _S1094 : vec3<f32>,  _S1095 : ptr<function, vec3<f32>>,  _S1096 : ptr<function, vec3<f32>>)
+fn sent_0( _S1122 : u32,  _S1123 : u32,  _S1124 : vec3<f32>,  _S1125 : vec3<f32>,  _S1126 : vec3<f32>,  _S1127 : vec3<f32>,  _S1128 : ptr<function, vec3<f32>>,  _S1129 : ptr<function, vec3<f32>>)
 {
-    var _S1097 : u32 = u32(146) + u32(4) * _S1090;
-    var _S1098 : f32 = openness_number_0(_S1089, _S1097 + u32(1));
-    var _S1099 : f32 = openness_number_0(_S1089, _S1097 + u32(2));
-    var _S1100 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1101 : vec3<f32> = _S1100 - _S1093 * vec3<f32>(openness_number_0(_S1089, _S1097));
-    var _S1102 : vec3<f32> = _S1100 - _S1094 * vec3<f32>(openness_number_0(_S1089, _S1097 + u32(3)));
-    var _S1103 : vec3<f32> = _S1100 / (_S1101 * _S1102 - _S1093 * _S1094 * vec3<f32>((_S1098 * _S1099)));
-    (*_S1095) = (_S1091 * _S1102 + _S1093 * vec3<f32>(_S1098) * _S1092) * _S1103;
-    (*_S1096) = (_S1092 * _S1101 + _S1094 * vec3<f32>(_S1099) * _S1091) * _S1103;
+    var _S1130 : u32 = u32(146) + u32(4) * _S1123;
+    var _S1131 : f32 = openness_number_0(_S1122, _S1130 + u32(1));
+    var _S1132 : f32 = openness_number_0(_S1122, _S1130 + u32(2));
+    var _S1133 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1134 : vec3<f32> = _S1133 - _S1126 * vec3<f32>(openness_number_0(_S1122, _S1130));
+    var _S1135 : vec3<f32> = _S1133 - _S1127 * vec3<f32>(openness_number_0(_S1122, _S1130 + u32(3)));
+    var _S1136 : vec3<f32> = _S1133 / (_S1134 * _S1135 - _S1126 * _S1127 * vec3<f32>((_S1131 * _S1132)));
+    (*_S1128) = (_S1124 * _S1135 + _S1126 * vec3<f32>(_S1131) * _S1125) * _S1136;
+    (*_S1129) = (_S1125 * _S1134 + _S1127 * vec3<f32>(_S1132) * _S1124) * _S1136;
     return;
 }
 
-fn face_sends_0( _S1104 : u32,  _S1105 : u32,  _S1106 : Scattered_0,  _S1107 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S1137 : u32,  _S1138 : u32,  _S1139 : Scattered_0,  _S1140 : Scattered_0) -> FaceSends_0
 {
-    var _S1108 : u32 = u32(2) * _S1105;
-    var _S1109 : u32 = u32(142) + _S1108;
-    var _S1110 : f32 = openness_number_0(_S1104, _S1109);
-    var _S1111 : f32 = openness_number_0(_S1104, _S1109 + u32(1));
-    var _S1112 : vec3<f32> = vec3<f32>((1.0f - _S1110)) * _S1106.back_14;
-    var _S1113 : vec3<f32> = vec3<f32>((1.0f - _S1111)) * _S1107.back_14;
+    var _S1141 : u32 = u32(2) * _S1138;
+    var _S1142 : u32 = u32(142) + _S1141;
+    var _S1143 : f32 = openness_number_0(_S1137, _S1142);
+    var _S1144 : f32 = openness_number_0(_S1137, _S1142 + u32(1));
+    var _S1145 : vec3<f32> = vec3<f32>((1.0f - _S1143)) * _S1139.back_14;
+    var _S1146 : vec3<f32> = vec3<f32>((1.0f - _S1144)) * _S1140.back_14;
     var sends_1 : FaceSends_0;
-    var _S1114 : u32 = u32(154) + _S1108;
-    var _S1115 : f32 = openness_number_0(_S1104, _S1114);
-    sends_1.blocks_warp_0 = _S1115;
-    var _S1116 : f32 = openness_number_0(_S1104, _S1114 + u32(1));
-    sends_1.blocks_weft_0 = _S1116;
-    sends_1.open_0 = _S1115 * _S1110 + _S1116 * _S1111;
-    var _S1117 : vec3<f32> = vec3<f32>(_S1110) * _S1106.back_14;
-    var _S1118 : vec3<f32> = vec3<f32>(_S1111) * _S1107.back_14;
-    var _S1119 : vec3<f32> = sends_1.sky_warp_0;
-    var _S1120 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S1104, _S1105, _S1117, _S1118, _S1112, _S1113, &(_S1119), &(_S1120));
-    sends_1.sky_warp_0 = _S1119;
-    sends_1.sky_weft_0 = _S1120;
-    var _S1121 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S1122 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S1104, _S1105, _S1106.through_0, _S1107.through_0, _S1112, _S1113, &(_S1121), &(_S1122));
-    sends_1.crossing_warp_0 = _S1121;
-    sends_1.crossing_weft_0 = _S1122;
+    var _S1147 : u32 = u32(154) + _S1141;
+    var _S1148 : f32 = openness_number_0(_S1137, _S1147);
+    sends_1.blocks_warp_0 = _S1148;
+    var _S1149 : f32 = openness_number_0(_S1137, _S1147 + u32(1));
+    sends_1.blocks_weft_0 = _S1149;
+    sends_1.open_0 = _S1148 * _S1143 + _S1149 * _S1144;
+    var _S1150 : vec3<f32> = vec3<f32>(_S1143) * _S1139.back_14;
+    var _S1151 : vec3<f32> = vec3<f32>(_S1144) * _S1140.back_14;
+    var _S1152 : vec3<f32> = sends_1.sky_warp_0;
+    var _S1153 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S1137, _S1138, _S1150, _S1151, _S1145, _S1146, &(_S1152), &(_S1153));
+    sends_1.sky_warp_0 = _S1152;
+    sends_1.sky_weft_0 = _S1153;
+    var _S1154 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S1155 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S1137, _S1138, _S1139.through_1, _S1140.through_1, _S1145, _S1146, &(_S1154), &(_S1155));
+    sends_1.crossing_warp_0 = _S1154;
+    sends_1.crossing_weft_0 = _S1155;
     return sends_1;
 }
 
-fn interior_between_0( _S1123 : u32,  _S1124 : u32,  _S1125 : u32,  _S1126 : vec3<f32>,  _S1127 : bool) -> Interior_0
+fn interior_between_0( _S1156 : u32,  _S1157 : u32,  _S1158 : u32,  _S1159 : vec3<f32>,  _S1160 : bool) -> Interior_0
 {
-    var _S1128 : Scattered_0 = scattered_by_0(_S1123, table_albedos_0(_S1124), u32(0), _S1126);
-    var _S1129 : Scattered_0 = scattered_by_0(_S1123, table_albedos_0(_S1125), u32(1), _S1126);
-    var _S1130 : FaceSends_0 = face_sends_0(_S1123, select(u32(0), u32(1), _S1127), _S1128, _S1129);
-    var _S1131 : FaceSends_0 = face_sends_0(_S1123, select(u32(1), u32(0), _S1127), _S1128, _S1129);
-    var _S1132 : vec3<f32> = vec3<f32>(_S1130.blocks_warp_0);
-    var _S1133 : vec3<f32> = vec3<f32>(_S1130.blocks_weft_0);
-    var _S1134 : vec3<f32> = _S1132 * _S1130.crossing_warp_0 + _S1133 * _S1130.crossing_weft_0;
-    var _S1135 : vec3<f32> = vec3<f32>(_S1131.blocks_warp_0);
-    var _S1136 : vec3<f32> = vec3<f32>(_S1131.blocks_weft_0);
-    var _S1137 : vec3<f32> = _S1135 * _S1131.crossing_warp_0 + _S1136 * _S1131.crossing_weft_0;
-    var _S1138 : f32 = 1.0f - _S1130.open_0;
-    var _S1139 : f32 = 1.0f - _S1131.open_0;
-    var _S1140 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1141 : vec3<f32> = _S1140 / (_S1140 - _S1134 * _S1137 * vec3<f32>((_S1138 * _S1139)));
-    var _S1142 : vec3<f32> = _S1137 * (vec3<f32>(_S1130.open_0) + vec3<f32>(_S1138) * (_S1132 * _S1130.sky_warp_0 + _S1133 * _S1130.sky_weft_0)) * _S1141;
-    var _S1143 : vec3<f32> = _S1134 * (vec3<f32>(_S1131.open_0) + vec3<f32>(_S1139) * (_S1135 * _S1131.sky_warp_0 + _S1136 * _S1131.sky_weft_0)) * _S1141;
-    var _S1144 : FaceRadiance_0 = face_radiance_0(_S1130, _S1131.open_0, _S1142, _S1143);
-    var _S1145 : FaceRadiance_0 = face_radiance_0(_S1131, _S1130.open_0, _S1143, _S1142);
+    var _S1161 : Scattered_0 = scattered_by_0(_S1156, table_albedos_0(_S1157), u32(0), _S1159);
+    var _S1162 : Scattered_0 = scattered_by_0(_S1156, table_albedos_0(_S1158), u32(1), _S1159);
+    var _S1163 : FaceSends_0 = face_sends_0(_S1156, select(u32(0), u32(1), _S1160), _S1161, _S1162);
+    var _S1164 : FaceSends_0 = face_sends_0(_S1156, select(u32(1), u32(0), _S1160), _S1161, _S1162);
+    var _S1165 : vec3<f32> = vec3<f32>(_S1163.blocks_warp_0);
+    var _S1166 : vec3<f32> = vec3<f32>(_S1163.blocks_weft_0);
+    var _S1167 : vec3<f32> = _S1165 * _S1163.crossing_warp_0 + _S1166 * _S1163.crossing_weft_0;
+    var _S1168 : vec3<f32> = vec3<f32>(_S1164.blocks_warp_0);
+    var _S1169 : vec3<f32> = vec3<f32>(_S1164.blocks_weft_0);
+    var _S1170 : vec3<f32> = _S1168 * _S1164.crossing_warp_0 + _S1169 * _S1164.crossing_weft_0;
+    var _S1171 : f32 = 1.0f - _S1163.open_0;
+    var _S1172 : f32 = 1.0f - _S1164.open_0;
+    var _S1173 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1174 : vec3<f32> = _S1173 / (_S1173 - _S1167 * _S1170 * vec3<f32>((_S1171 * _S1172)));
+    var _S1175 : vec3<f32> = _S1170 * (vec3<f32>(_S1163.open_0) + vec3<f32>(_S1171) * (_S1165 * _S1163.sky_warp_0 + _S1166 * _S1163.sky_weft_0)) * _S1174;
+    var _S1176 : vec3<f32> = _S1167 * (vec3<f32>(_S1164.open_0) + vec3<f32>(_S1172) * (_S1168 * _S1164.sky_warp_0 + _S1169 * _S1164.sky_weft_0)) * _S1174;
+    var _S1177 : FaceRadiance_0 = face_radiance_0(_S1163, _S1164.open_0, _S1175, _S1176);
+    var _S1178 : FaceRadiance_0 = face_radiance_0(_S1164, _S1163.open_0, _S1176, _S1175);
     var interior_1 : Interior_0;
-    interior_1.warp_9 = _S1144.warp_8;
-    interior_1.weft_9 = _S1144.weft_8;
-    interior_1.leaked_1 = _S1144.leaked_0;
-    interior_1.far_1 = _S1145.mean_1;
-    interior_1.far_leaked_0 = _S1145.leaked_0;
+    interior_1.warp_9 = _S1177.warp_8;
+    interior_1.weft_9 = _S1177.weft_8;
+    interior_1.leaked_1 = _S1177.leaked_0;
+    interior_1.far_1 = _S1178.mean_1;
+    interior_1.far_leaked_0 = _S1178.leaked_0;
     return interior_1;
 }
 
-fn interior_of_0( _S1146 : u32,  _S1147 : vec3<f32>,  _S1148 : bool) -> Interior_0
+fn interior_of_0( _S1179 : u32,  _S1180 : vec3<f32>,  _S1181 : bool) -> Interior_0
 {
-    return interior_between_0(_S1146, families_0[fabrics_0[_S1146].warp_0].cloth_mean_0, families_0[fabrics_0[_S1146].weft_0].cloth_mean_0, _S1147, _S1148);
+    return interior_between_0(_S1179, families_0[fabrics_0[_S1179].warp_0].cloth_mean_0, families_0[fabrics_0[_S1179].weft_0].cloth_mean_0, _S1180, _S1181);
 }
 
-fn blocked_from_0( _S1149 : u32,  _S1150 : vec3<f32>,  _S1151 : bool,  _S1152 : bool) -> Blocked_0
+fn blocked_from_0( _S1182 : u32,  _S1183 : vec3<f32>,  _S1184 : bool,  _S1185 : bool) -> Blocked_0
 {
-    var terms_3 : array<f32, i32(6)>;
-    view_terms_0(_S1150, &(terms_3));
-    return blocked_of_terms_0(_S1149, (select(u32(0), u32(2), _S1152) + select(u32(1), u32(0), _S1151)) * u32(15), terms_3, u32(5));
+    var terms_6 : array<f32, i32(6)>;
+    view_terms_0(_S1183, &(terms_6));
+    return blocked_of_terms_0(_S1182, (select(u32(0), u32(2), _S1185) + select(u32(1), u32(0), _S1184)) * u32(15), terms_6, u32(5));
 }
 
-fn warp_seen_from_0( _S1153 : u32,  _S1154 : vec3<f32>,  _S1155 : bool) -> f32
+fn warp_seen_from_0( _S1186 : u32,  _S1187 : vec3<f32>,  _S1188 : bool) -> f32
 {
-    var terms_4 : array<f32, i32(6)>;
-    view_terms_1(_S1154, &(terms_4));
-    var term_1 : u32 = u32(0);
+    var terms_7 : array<f32, i32(6)>;
+    view_terms_1(_S1187, &(terms_7));
+    var term_3 : u32 = u32(0);
     var share_6 : f32 = 0.0f;
     for(;;)
     {
-        if(term_1 < u32(5))
+        if(term_3 < u32(5))
         {
         }
         else
         {
             break;
         }
-        var share_7 : f32 = share_6 + openness_number_0(_S1153, u32(132) + select(u32(0), u32(5), _S1155) + term_1) * terms_4[term_1];
-        term_1 = term_1 + u32(1);
+        var share_7 : f32 = share_6 + openness_number_0(_S1186, u32(132) + select(u32(0), u32(5), _S1188) + term_3) * terms_7[term_3];
+        term_3 = term_3 + u32(1);
         share_6 = share_7;
     }
     return saturate(share_6);
 }
 
-fn bounced_of_families_0( _S1156 : u32,  _S1157 : FamilyAlbedos_0,  _S1158 : vec3<f32>,  _S1159 : Interior_0,  _S1160 : Blocked_0,  _S1161 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S1189 : u32,  _S1190 : FamilyAlbedos_0,  _S1191 : vec3<f32>,  _S1192 : Interior_0,  _S1193 : Blocked_0,  _S1194 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S1160, scattered_by_0(_S1156, _S1157.warp_6, u32(0), _S1158), _S1159), bounced_by_0(_S1161, scattered_by_0(_S1156, _S1157.weft_6, u32(1), _S1158), _S1159));
+    return sum_of_0(bounced_by_0(_S1193, scattered_by_0(_S1189, _S1190.warp_6, u32(0), _S1191), _S1192), bounced_by_0(_S1194, scattered_by_0(_S1189, _S1190.weft_6, u32(1), _S1191), _S1192));
 }
 
-fn bounced_far_0( _S1162 : u32,  _S1163 : FamilyAlbedos_0,  _S1164 : vec3<f32>,  _S1165 : Interior_0,  _S1166 : vec3<f32>,  _S1167 : bool,  _S1168 : f32,  _S1169 : f32,  _S1170 : f32) -> Bounced_0
+fn bounced_far_0( _S1195 : u32,  _S1196 : FamilyAlbedos_0,  _S1197 : vec3<f32>,  _S1198 : Interior_0,  _S1199 : vec3<f32>,  _S1200 : bool,  _S1201 : f32,  _S1202 : f32,  _S1203 : f32) -> Bounced_0
 {
-    var _S1171 : Blocked_0 = blocked_from_0(_S1162, _S1166, true, _S1167);
-    var _S1172 : Blocked_0 = blocked_from_0(_S1162, _S1166, false, _S1167);
-    var _S1173 : f32 = _S1168 / max(1.0f - _S1171.by_warp_0 - _S1171.by_weft_0, 0.10000000149011612f);
-    var _S1174 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1162, _S1166, _S1167) + _S1173) / (_S1173 + _S1169 / max(1.0f - _S1172.by_warp_0 - _S1172.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S1175 : f32 = 1.0f - _S1170;
-    return bounced_of_families_0(_S1162, _S1163, _S1164, _S1165, scaled_0(_S1171, _S1174 * _S1175), scaled_0(_S1172, (1.0f - _S1174) * _S1175));
+    var _S1204 : Blocked_0 = blocked_from_0(_S1195, _S1199, true, _S1200);
+    var _S1205 : Blocked_0 = blocked_from_0(_S1195, _S1199, false, _S1200);
+    var _S1206 : f32 = _S1201 / max(1.0f - _S1204.by_warp_0 - _S1204.by_weft_0, 0.10000000149011612f);
+    var _S1207 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1195, _S1199, _S1200) + _S1206) / (_S1206 + _S1202 / max(1.0f - _S1205.by_warp_0 - _S1205.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S1208 : f32 = 1.0f - _S1203;
+    return bounced_of_families_0(_S1195, _S1196, _S1197, _S1198, scaled_0(_S1204, _S1207 * _S1208), scaled_0(_S1205, (1.0f - _S1207) * _S1208));
 }
 
-fn bounced_over_0( _S1176 : u32,  _S1177 : Components_0,  _S1178 : CloseUp_0,  _S1179 : FamilyAlbedos_0,  _S1180 : vec3<f32>,  _S1181 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S1209 : u32,  _S1210 : Components_0,  _S1211 : CloseUp_0,  _S1212 : FamilyAlbedos_0,  _S1213 : vec3<f32>,  _S1214 : vec3<f32>) -> Bounced_0
 {
-    var _S1182 : bool = (_S1181.z) < 0.0f;
-    var _S1183 : Interior_0 = interior_of_0(_S1176, _S1180, _S1182);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S1176, _S1179, _S1180, _S1183, to_face_frame_0(_S1181, _S1182), _S1182, _S1177.diffuse_warp_0, _S1177.diffuse_weft_0, _S1177.hole_2);
-    if((_S1178.weight_0) > 0.0f)
+    var _S1215 : bool = (_S1214.z) < 0.0f;
+    var _S1216 : Interior_0 = interior_of_0(_S1209, _S1213, _S1215);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S1209, _S1212, _S1213, _S1216, to_face_frame_0(_S1214, _S1215), _S1215, _S1210.diffuse_warp_0, _S1210.diffuse_weft_0, _S1210.hole_2);
+    if((_S1211.weight_0) > 0.0f)
     {
-        var _S1184 : Bounced_0 = bounced_of_families_0(_S1176, _S1179, _S1180, _S1183, _S1178.warp_1, _S1178.weft_1);
-        var _S1185 : vec3<f32> = vec3<f32>(_S1178.weight_0);
-        bounced_2.reflected_0 = mix(bounced_2.reflected_0, _S1184.reflected_0, _S1185);
-        bounced_2.transmitted_0 = mix(bounced_2.transmitted_0, _S1184.transmitted_0, _S1185);
+        var _S1217 : Bounced_0 = bounced_of_families_0(_S1209, _S1212, _S1213, _S1216, _S1211.warp_1, _S1211.weft_1);
+        var _S1218 : vec3<f32> = vec3<f32>(_S1211.weight_0);
+        bounced_2.reflected_2 = mix(bounced_2.reflected_2, _S1217.reflected_2, _S1218);
+        bounced_2.transmitted_2 = mix(bounced_2.transmitted_2, _S1217.transmitted_2, _S1218);
     }
     return bounced_2;
 }
 
-fn composed_0( _S1186 : u32,  _S1187 : Components_0,  _S1188 : CloseUp_0,  _S1189 : FamilyAlbedos_0,  _S1190 : vec3<f32>,  _S1191 : vec3<f32>,  _S1192 : vec3<f32>) -> vec3<f32>
+fn composed_before_0( _S1219 : u32,  _S1220 : Components_0,  _S1221 : CloseUp_0,  _S1222 : FamilyAlbedos_0,  _S1223 : LayersBehind_0,  _S1224 : vec3<f32>,  _S1225 : vec3<f32>,  _S1226 : vec3<f32>) -> vec3<f32>
 {
-    var _S1193 : Albedos_0 = towards_grazing_0(_S1186, tinted_0(_S1189.warp_6, _S1190), _S1191, _S1192);
-    var _S1194 : Albedos_0 = towards_grazing_0(_S1186, tinted_0(_S1189.weft_6, _S1190), _S1191, _S1192);
-    var _S1195 : vec3<f32> = vec3<f32>(_S1187.diffuse_warp_0);
-    var _S1196 : vec3<f32> = vec3<f32>(_S1187.diffuse_weft_0);
-    var _S1197 : vec3<f32> = vec3<f32>(_S1187.specular_warp_0);
-    var _S1198 : vec3<f32> = vec3<f32>(_S1187.specular_weft_0);
-    var _S1199 : vec3<f32> = _S1193.diffuse_reflect_0 * _S1195 + _S1194.diffuse_reflect_0 * _S1196 + _S1193.specular_reflect_0 * _S1197 + _S1194.specular_reflect_0 * _S1198;
-    var _S1200 : f32 = _S1192.z;
+    var _S1227 : Albedos_0 = towards_grazing_0(_S1219, tinted_0(_S1222.warp_6, _S1224), _S1225, _S1226);
+    var _S1228 : Albedos_0 = towards_grazing_0(_S1219, tinted_0(_S1222.weft_6, _S1224), _S1225, _S1226);
+    var _S1229 : vec3<f32> = vec3<f32>(_S1220.diffuse_warp_0);
+    var _S1230 : vec3<f32> = vec3<f32>(_S1220.diffuse_weft_0);
+    var _S1231 : vec3<f32> = vec3<f32>(_S1220.specular_warp_0);
+    var _S1232 : vec3<f32> = vec3<f32>(_S1220.specular_weft_0);
+    var _S1233 : vec3<f32> = _S1227.diffuse_reflect_0 * _S1229 + _S1228.diffuse_reflect_0 * _S1230 + _S1227.specular_reflect_0 * _S1231 + _S1228.specular_reflect_0 * _S1232;
+    var _S1234 : f32 = _S1225.z;
+    var _S1235 : f32 = _S1226.z;
+    var _S1236 : bool = (_S1234 * _S1235) < 0.0f;
     var body_0 : vec3<f32>;
-    if((_S1191.z * _S1200) < 0.0f)
+    if(_S1236)
     {
-        body_0 = _S1193.diffuse_transmit_0 * _S1195 + _S1194.diffuse_transmit_0 * _S1196 + _S1193.specular_transmit_0 * _S1197 + _S1194.specular_transmit_0 * _S1198;
+        body_0 = _S1227.diffuse_transmit_0 * _S1229 + _S1228.diffuse_transmit_0 * _S1230 + _S1227.specular_transmit_0 * _S1231 + _S1228.specular_transmit_0 * _S1232;
     }
     else
     {
-        body_0 = _S1199;
+        body_0 = _S1233;
     }
-    if((fabrics_0[_S1186].openness_0) != u32(4294967295))
+    if((fabrics_0[_S1219].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1186, _S1187, _S1188, _S1189, _S1190, _S1192), _S1191, _S1192) * vec3<f32>(diffuse_kept_0(_S1186, _S1191, _S1192));
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1219, _S1220, _S1221, _S1222, _S1224, _S1226), _S1225, _S1226) * vec3<f32>(diffuse_kept_0(_S1219, _S1225, _S1226));
     }
-    var _S1201 : f32 = fabrics_0[_S1186].sheen_strength_0;
-    if((fabrics_0[_S1186].sheen_strength_0) <= 0.0f)
+    if(is_layered_0(_S1219))
+    {
+        body_0 = body_0 + _S1224 * select_vector_1(_S1236, _S1223.transmitted_0, _S1223.reflected_0) * vec3<f32>((abs(_S1234) * 0.31830987334251404f)) * vec3<f32>(diffuse_kept_0(_S1219, _S1225, _S1226));
+    }
+    var _S1237 : f32 = fabrics_0[_S1219].sheen_strength_0;
+    if((fabrics_0[_S1219].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S1202 : bool = _S1200 < 0.0f;
-    var _S1203 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1191, _S1202), to_face_frame_0(_S1192, _S1202), _S1201, fabrics_0[_S1186].sheen_roughness_0);
-    return vec3<f32>(_S1203.y) * body_0 + vec3<f32>(((_S1187.light_visibility_1 + _S1187.hole_2) * _S1203.x));
+    var _S1238 : bool = _S1235 < 0.0f;
+    var _S1239 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1225, _S1238), to_face_frame_0(_S1226, _S1238), _S1237, fabrics_0[_S1219].sheen_roughness_0);
+    return vec3<f32>(_S1239.y) * body_0 + vec3<f32>(((_S1220.light_visibility_1 + _S1220.hole_2) * _S1239.x));
 }
 
-fn light_of_footprint_0( _S1204 : u32,  _S1205 : VisiblePoint_0,  _S1206 : vec2<u32>,  _S1207 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S1240 : u32,  _S1241 : VisiblePoint_0,  _S1242 : vec2<u32>,  _S1243 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.dx_0 = _S1205.draft_dx_0;
-    footprint_0.dy_0 = _S1205.draft_dy_0;
-    footprint_0.centre_0 = irregular_place_0(_S1204, _S1205.draft_0, Footprint_spread_side_0(footprint_0));
-    var _S1208 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S1209 : vec3<f32> = to_local_0(_S1205, _S1205.view_0);
-    var _S1210 : u32 = light_sample_count_0();
-    var _S1211 : vec3<f32> = vec3<f32>(0.0f);
-    var number_15 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S1211;
+    footprint_0.dx_0 = _S1241.draft_dx_0;
+    footprint_0.dy_0 = _S1241.draft_dy_0;
+    footprint_0.centre_0 = irregular_place_0(_S1240, _S1241.draft_0, Footprint_spread_side_0(footprint_0));
+    var _S1244 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S1245 : vec3<f32> = to_local_0(_S1241, _S1241.view_0);
+    var _S1246 : u32 = light_sample_count_0();
+    var _S1247 : vec3<f32> = vec3<f32>(0.0f);
+    var number_16 : u32 = u32(0);
+    var radiance_1 : vec3<f32> = _S1247;
     var hole_8 : f32 = 0.0f;
     for(;;)
     {
-        if(number_15 < (max(_S1210, u32(1))))
+        if(number_16 < (max(_S1246, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S1212 : f32;
-        if(number_15 < _S1210)
+        var _S1248 : f32;
+        if(number_16 < _S1246)
         {
-            _S1212 = visibility_at_0(number_15, _S1206);
+            _S1248 = visibility_at_0(number_16, _S1242);
         }
         else
         {
-            _S1212 = 0.0f;
+            _S1248 = 0.0f;
         }
-        var _S1213 : bool;
-        if(_S1212 <= 0.0f)
+        var _S1249 : bool;
+        if(_S1248 <= 0.0f)
         {
-            _S1213 = number_15 > u32(0);
+            _S1249 = number_16 > u32(0);
         }
         else
         {
-            _S1213 = false;
+            _S1249 = false;
         }
-        if(_S1213)
+        if(_S1249)
         {
-            number_15 = number_15 + u32(1);
+            number_16 = number_16 + u32(1);
             continue;
         }
-        var _S1214 : LightSample_0 = light_sample_0(number_15, _S1206, _S1205.position_4);
-        var _S1215 : vec3<f32> = to_local_0(_S1205, _S1214.towards_0);
-        var _S1216 : Estimate_0 = lobes_estimate_of_pass_0(_S1204, footprint_0, 1.0f, _S1208, _S1215, _S1209);
-        radiance_1 = radiance_1 + vec3<f32>(_S1212) * _S1214.irradiance_1 * composed_0(_S1204, _S1216.components_0, _S1216.close_0, _S1216.albedos_9, _S1207, _S1215, _S1209);
-        hole_8 = _S1216.components_0.hole_2;
-        number_15 = number_15 + u32(1);
+        var _S1250 : LightSample_0 = light_sample_0(number_16, _S1242, _S1241.position_4);
+        var _S1251 : vec3<f32> = to_local_0(_S1241, _S1250.towards_0);
+        var _S1252 : Estimate_0 = lobes_estimate_of_pass_0(_S1240, footprint_0, 1.0f, _S1244, _S1251, _S1245);
+        radiance_1 = radiance_1 + vec3<f32>(_S1248) * _S1250.irradiance_1 * composed_before_0(_S1240, _S1252.components_0, _S1252.close_0, _S1252.albedos_14, _S1252.behind_4, _S1243, _S1251, _S1245);
+        hole_8 = _S1252.components_0.hole_2;
+        number_16 = number_16 + u32(1);
     }
-    var _S1217 : f32 = fabrics_0[_S1204].sheen_strength_0;
-    if((fabrics_0[_S1204].sheen_strength_0) > 0.0f)
+    var _S1253 : f32 = fabrics_0[_S1240].sheen_strength_0;
+    if((fabrics_0[_S1240].sheen_strength_0) > 0.0f)
     {
-        hole_8 = hole_8 * (1.0f - _S1217 * sheen_lobe_0(abs(_S1209.z), fabrics_0[_S1204].sheen_roughness_0).z);
+        hole_8 = hole_8 * (1.0f - _S1253 * sheen_lobe_0(abs(_S1245.z), fabrics_0[_S1240].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_8);
 }
@@ -4316,32 +4450,32 @@ fn light_of_footprint_0( _S1204 : u32,  _S1205 : VisiblePoint_0,  _S1206 : vec2<
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S1218 : u32 = id_0.x;
-    var _S1219 : bool;
-    if(_S1218 >= (frame_record_0.width_0))
+    var _S1254 : u32 = id_0.x;
+    var _S1255 : bool;
+    if(_S1254 >= (frame_record_0.width_0))
     {
-        _S1219 = true;
+        _S1255 = true;
     }
     else
     {
-        _S1219 = (id_0.y) >= (frame_record_0.height_0);
+        _S1255 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S1219)
+    if(_S1255)
     {
         return;
     }
-    var _S1220 : u32 = id_0.y * frame_record_0.width_0 + _S1218;
-    var _S1221 : u32 = layers_0[_S1220].face_0;
-    if((layers_0[_S1220].face_0) == u32(0))
+    var _S1256 : u32 = id_0.y * frame_record_0.width_0 + _S1254;
+    var _S1257 : u32 = layers_0[_S1256].face_0;
+    if((layers_0[_S1256].face_0) == u32(0))
     {
         return;
     }
-    var _S1222 : u32 = _S1221 - u32(1);
-    var _S1223 : u32 = fabric_of_0(_S1222);
-    var _S1224 : vec2<u32> = id_0.xy;
-    var _S1225 : VisiblePoint_0 = visible_point_0(_S1223, _S1222, _S1224);
-    var _S1226 : vec4<f32> = light_of_footprint_0(_S1223, _S1225, _S1224, filtered_albedo_0(_S1223, _S1225));
-    accumulate_0(_S1220, _S1226);
+    var _S1258 : u32 = _S1257 - u32(1);
+    var _S1259 : u32 = fabric_of_0(_S1258);
+    var _S1260 : vec2<u32> = id_0.xy;
+    var _S1261 : VisiblePoint_0 = visible_point_0(_S1259, _S1258, _S1260);
+    var _S1262 : vec4<f32> = light_of_footprint_0(_S1259, _S1261, _S1260, filtered_albedo_0(_S1259, _S1261));
+    accumulate_0(_S1256, _S1262);
     return;
 }
 

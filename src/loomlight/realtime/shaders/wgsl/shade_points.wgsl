@@ -1286,6 +1286,7 @@ struct SurfacePoint_0
      y_6 : f32,
      shown_share_0 : f32,
      plane_6 : f32,
+     layer_0 : u32,
 };
 
 fn ply_offset_0( family_13 : u32,  point_1 : SurfacePoint_0,  back_11 : bool) -> f32
@@ -2371,6 +2372,7 @@ fn surface_of_0( _S487 : u32,  _S488 : Sample_0,  _S489 : f32,  _S490 : f32,  _S
     }
     point_4.height_7 = _S488.height_2;
     point_4.plane_6 = _S488.here_0.level_1;
+    point_4.layer_0 = _S488.here_0.number_1;
     point_4.normal_5 = normalize(vec3<f32>(- _S488.slope_x_0, - _S488.slope_y_0, 1.0f));
     point_4.tangent_4 = normalize(select_vector_0(_S488.shown_2.is_warp_0, vec3<f32>(_S497, _S498, _S499), vec3<f32>(- _S498, _S497, _S499)));
     point_4.across_2 = _S488.section_1.across_1;
