@@ -26,6 +26,7 @@ def woven(
     weft: Colours | None = None,
     noise: float = 0.01,
     light: float = 0.0,
+    plies: float = 0.0,
 ) -> NDArray[np.float64]:
     """Encoded RGB [height, width, 3]: yarn is darker towards its sides, and a little towards where it dives.
 
@@ -33,6 +34,7 @@ def woven(
         px: pixels an end and a pick.
         turn: radians anticlockwise.
         light: by how much the left is darker than the right, as a share.
+        plies: how dark the grooves between plies are, as a share; they lie alike in all threads.
     """
     width, height = size
     rows, columns = np.mgrid[0:height, 0:width]
@@ -48,6 +50,9 @@ def woven(
         drawdown[pick % drawdown.shape[0], (end + np.where(along > 0.5, 1, -1)) % drawdown.shape[1]],
     )
     shade = 1 - 1.4 * np.square(across - 0.5) - 0.5 * dives * np.square(along - 0.5)
+    # A groove crosses a thread in a third of a thread's width along it.
+    groove = np.sin(np.pi * np.where(up, u - 0.31 * v, v + 0.31 * u)) / 0.35
+    shade = shade * (1 - plies * np.exp(-np.square(groove)))
     of_warp, of_weft = np.array(warp or [BLUE]), np.array(weft or [CREAM])
     colour = np.where(up[..., None], of_warp[end % len(of_warp)], of_weft[pick % len(of_weft)])
     picture = colour * shade[..., None] * (1 - light * (1 - columns / width))[..., None]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from loomlight.capturing.thread_grid import blurred, find_grid
+from loomlight.capturing.thread_grid import blurred, find_grid, find_grids
 from loomlight.core.errors import InputError
 from loomlight.weave.named import named_weave
 from tests.capturing.pictures import BLUE, CREAM, RED, woven
@@ -41,6 +41,22 @@ def test_colours_of_threads_are_no_threads() -> None:
     grid = find_grid(woven(named_weave("plain").drawdown, px=(16.0, 16.0), warp=stripes, weft=stripes))
     assert 1 / grid.warp.per_px == pytest.approx(16.0, rel=TOLERANCE)
     assert 1 / grid.weft.per_px == pytest.approx(16.0, rel=TOLERANCE)
+
+
+@pytest.mark.parametrize("weave", ["twill 1/2 s", "sateen 8/3"])
+def test_threads_are_found_among_plies_that_lie_alike(weave: str) -> None:
+    """Grooves between plies slant, and outdo threads of one colour: but threads cross at right angles."""
+    cloth = woven(
+        named_weave(weave).drawdown,
+        px=(14.5, 14.0),
+        size=(300, 300),
+        turn=0.03,
+        warp=[BLUE],
+        weft=[BLUE],
+        plies=0.4,
+    )
+    off = [(abs(grid.warp.per_px * 14.5 - 1), abs(grid.weft.per_px * 14.0 - 1)) for grid in find_grids(cloth)]
+    assert min(max(each) for each in off) < TOLERANCE
 
 
 def test_the_error_covers_what_it_is_off() -> None:

@@ -34,7 +34,7 @@ def hypothesis(
 ) -> Hypothesis:
     """A weave of which crossings say so much, and whose render leaves so much."""
     fit = WeaveFit(name, np.eye(2, dtype=bool), (0, 0), score, score if unsigned is None else unsigned)
-    return Hypothesis(None, WeaveChoice(fit, 1.0, None, None), None, within, cost, VOTES)  # type: ignore[arg-type]
+    return Hypothesis(None, WeaveChoice(fit, 1.0, None, None), None, within, cost, VOTES, ())  # type: ignore[arg-type]
 
 
 def test_a_repeat_that_is_seen_once_costs_the_threads_that_are_not_seen_again() -> None:

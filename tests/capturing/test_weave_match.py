@@ -169,3 +169,13 @@ def test_a_weave_without_a_name_is_found_by_its_repeat() -> None:
 def test_a_candidate_is_no_weave_without_a_name() -> None:
     _, crossings = seen(woven(named_weave("twill 2/1 z").drawdown))
     assert fit_drafts([crossings], fit_weaves([crossings])) == []
+
+
+def test_stripes_that_bind_no_pick_are_no_draft() -> None:
+    """Picks that all ends pass on one side would fall out of the cloth."""
+    rng = np.random.default_rng(4)
+    rows = np.arange(24)[:, None] % 2 == 0
+    colour = np.where(rows[..., None], 0.8, 0.2) + 0.01 * rng.standard_normal((24, 20, 3))
+    shading = 0.01 * rng.standard_normal((2, 24, 20))
+    crossings = Crossings(colour, shading[0], shading[1], (0, 0))
+    assert fit_drafts([crossings], fit_weaves([crossings])) == []

@@ -9,16 +9,15 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from loomlight.capturing.captured import FABRIC_SUFFIX, Captured
 from loomlight.capturing.crossings import Crossings, find_crossings
+from loomlight.capturing.grid_choice import likeliest_grid
 from loomlight.capturing.lighting import light_over
-from loomlight.capturing.photo import FINE_SIDE, WORKING_SIDE, Photo, read_photo
+from loomlight.capturing.photo import FINE_SIDE, WORKING_SIDE, read_photo
 from loomlight.capturing.thread_colours import colour_orders
-from loomlight.capturing.thread_grid import find_grids
 from loomlight.capturing.weave_choice import Seen, chosen, light_of
-from loomlight.capturing.weave_match import WeaveFit, fit_drafts, fit_structure, fit_weaves
+from loomlight.capturing.weave_match import Structure, WeaveFit, fit_drafts, fit_structure, fit_weaves
 from loomlight.capturing.yarn_fit import KINDS, Fit, YarnFitter, with_model_errors
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.files import PIXEL_SUFFIXES, require_file
@@ -94,11 +93,12 @@ def capture(
     given = _given_structure(weave, draft)
     report(1, _STEPS)
     # Read, and find the threads.
-    face = _seen(photo, width_mm, white, grey_card)
+    face, first = _seen(photo, width_mm, white, grey_card, given)
     report(12, _STEPS)
+    face = _evenly_lit(face, first)
     views = [face.crossings]
     if back is not None:
-        views.append(_seen(back, width_mm, white, grey_card).crossings)
+        views.append(_seen(back, width_mm, white, grey_card, _of_back(given))[0].crossings)
     report(20, _STEPS)
     # Find the weave by what crossings show, and by renders of the likeliest ones.
     if given is None:
@@ -108,7 +108,6 @@ def capture(
     else:
         fits = [fit_structure(given[0], given[1], views)]
     report(28, _STEPS)
-    face = _evenly_lit(face, fits[0])
     lit = light_of(face, fits[0], light)
     face, choice, fitter, start = chosen(
         face, fits, lit, lambda done, total: report(28 + 20 * done // total, _STEPS)
@@ -164,33 +163,35 @@ def _warn(found: Captured) -> None:
 # ----------------------------------------------------------------------------------------------------- seeing
 
 
-def _seen(path: str | os.PathLike[str], width_mm: float, white: str | None, grey_card: str | None) -> Seen:
-    """A photograph and its threads, in as many pixels as these need."""
+def _seen(
+    path: str | os.PathLike[str],
+    width_mm: float,
+    white: str | None,
+    grey_card: str | None,
+    given: tuple[str, Structure] | None,
+) -> tuple[Seen, WeaveFit]:
+    """A photograph and its threads, in as many pixels as these need, and the likeliest small weave."""
     require_file(path)
     photo = read_photo(path, width_mm, white=white, grey_card=grey_card)
     is_reduced = max(photo.full_size) > WORKING_SIDE
     try:
-        seen = _threads(photo)
+        found = likeliest_grid(photo, given)
     except InputError as error:
         if not is_reduced:
             raise InputError(f"{path}: {error}") from error
-        seen = None
-    if seen is None or (is_reduced and max(seen.grid.warp.per_px, seen.grid.weft.per_px) > 1 / _FINE_PX):
+        found = None
+    if found is None or (is_reduced and _finest(found[0]) < _FINE_PX):
         photo = read_photo(path, width_mm, white=white, grey_card=grey_card, side=FINE_SIDE)
         try:
-            seen = _threads(photo)
+            found = likeliest_grid(photo, given)
         except InputError as error:
             raise InputError(f"{path}: {error}") from error
-    return seen
+    return found
 
 
-def _threads(photo: Photo) -> Seen:
-    """The grid on which crossings show most of a weave."""
-    encoded = photo.encoded
-    found = [Seen(photo, grid, find_crossings(encoded, grid)) for grid in find_grids(encoded)]
-    if len(found) == 1:
-        return found[0]
-    return max(found, key=lambda seen: fit_weaves([seen.crossings])[0].score / seen.crossings.votes)
+def _finest(seen: Seen) -> float:
+    """Pixels a thread of the finer family."""
+    return 1 / max(seen.grid.warp.per_px, seen.grid.weft.per_px)
 
 
 def _evenly_lit(seen: Seen, fit: WeaveFit) -> Seen:
@@ -202,9 +203,12 @@ def _evenly_lit(seen: Seen, fit: WeaveFit) -> Seen:
     return Seen(even, seen.grid, find_crossings(even.encoded, seen.grid))
 
 
-def _given_structure(
-    weave: str | None, draft: str | os.PathLike[str] | None
-) -> tuple[str, NDArray[np.bool_]] | None:
+def _of_back(given: tuple[str, Structure] | None) -> tuple[str, Structure] | None:
+    """The weave as it is seen from behind: left is right, and the other family is on top."""
+    return None if given is None else (given[0], ~given[1][:, ::-1])
+
+
+def _given_structure(weave: str | None, draft: str | os.PathLike[str] | None) -> tuple[str, Structure] | None:
     """The name and structure that the user gives."""
     if weave is not None:
         made = named_weave(weave)

@@ -46,6 +46,13 @@ _BINS = 48
 _MIN_INNER = 0.12
 # Highest period that is looked for, as a share of the picture, and multiples of it that must repeat too.
 _MAX_PERIOD, _MULTIPLES = 1 / 6, 4
+# Peaks of each spectrum that are looked at, and pairs of them of which grids are made.
+_PEAKS, _PAIRS = 12, 4
+# Ends and picks may be off a right angle by so much (a deviation, radians), as cloth is skewed and cameras
+# tilt; and a peak lies within so much of a period of the whole picture of where it is found.
+_SKEW, _PEAK_ERROR = np.radians(0.4), 0.15
+# Periods and turns that differ by less are of one grid: shares, and radians.
+_SAME_PERIOD, _SAME_ANGLE = 0.03, np.radians(0.7)
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,7 +104,9 @@ def find_grids(shade: Plane) -> list[ThreadGrid]:
     """Grids of threads that a picture may show, likeliest first.
 
     Twisted yarns that swell between their crossings are shaded in slanting lines, whose turn is another:
-    where the strongest lines are turned far, the strongest among nearly upright ones are tried too.
+    where the strongest lines are turned far, the strongest among nearly upright ones are tried too. Such
+    lines, and highlights, repeat in other periods than threads do, but hardly in two at right angles: peaks
+    of the spectra that are make further grids.
 
     Args:
         shade: encoded colours [height, width, channels], 0 to 1.
@@ -123,7 +132,45 @@ def find_grids(shade: Plane) -> list[ThreadGrid]:
             fault = fault or error
     if fault is not None and not found:
         raise fault
+    for ends, picks in _right_angled(spectra):
+        grid = _joined(shade, *_families(shade, (warp_edges, weft_edges), (ends, picks)))
+        if not any(_is_same(grid, other) for other in found):
+            found.append(grid)
     return found
+
+
+def _is_same(grid: ThreadGrid, other: ThreadGrid) -> bool:
+    """Whether two grids have the same setts and turns."""
+    return all(
+        abs(one.per_px / two.per_px - 1) < _SAME_PERIOD and abs(one.turn - two.turn) < _SAME_ANGLE
+        for one, two in ((grid.warp, other.warp), (grid.weft, other.weft))
+    )
+
+
+def _right_angled(spectra: list[_Spectrum]) -> list[tuple[_Peak, _Peak]]:
+    """Peaks of ends and picks that are at right angles, strongest pairs first."""
+    sides = [spectrum.peaks() for spectrum in spectra]
+    if not all(sides):
+        return []
+    highest = [max(peak.power for peak in peaks) for peaks in sides]
+
+    def likelihood(ends: _Peak, picks: _Peak) -> float:
+        error = np.hypot(_SKEW, np.hypot(ends.error, picks.error))
+        # Of picks the picture is laid on its side, and turns the other way.
+        off = (ends.turn + picks.turn) / error
+        return float(np.log(ends.power / highest[0]) + np.log(picks.power / highest[1]) - 0.5 * off**2)
+
+    pairs = [(ends, picks) for ends in sides[0] for picks in sides[1]]
+    return sorted(pairs, key=lambda pair: -likelihood(*pair))[:_PAIRS]
+
+
+def _families(shade: Plane, edges: tuple[Plane, Plane], peaks: tuple[_Peak, _Peak]) -> tuple[Family, Family]:
+    """The families of two frequencies, of picks in the picture that is laid on its side."""
+    warp, weft = (
+        _in_phase(each, _followed_from(each, peak.fx, peak.fy), 1.0)
+        for each, peak in zip(edges, peaks, strict=True)
+    )
+    return warp, weft
 
 
 def _turned_grid(
@@ -137,6 +184,11 @@ def _turned_grid(
     light = shade.mean(axis=-1)
     warp = _family(edges[0], light, spectra[0], turn)
     weft = _family(edges[1], light.T, spectra[1], -turn)
+    return _joined(shade, warp, weft)
+
+
+def _joined(shade: Plane, warp: Family, weft: Family) -> ThreadGrid:
+    """The grid of two families, of which that of picks is of the picture laid on its side."""
     # Of rows that count downwards, picks count upwards.
     number = -weft.number.T
     number = number - np.floor(number.min())
@@ -235,6 +287,27 @@ def _blurred_along(plane: Plane, sigma: float, axis: int) -> Plane:
 # --------------------------------------------------------------------------------------------------- a family
 
 
+@dataclass(frozen=True)
+class _Peak:
+    """A frequency that a picture of edges has.
+
+    Attributes:
+        fx, fy: periods a pixel along x and y.
+        power: at its top.
+        error: of its turn, radians.
+    """
+
+    fx: float
+    fy: float
+    power: float
+    error: float
+
+    @property
+    def turn(self) -> float:
+        """Of lines across it, radians anticlockwise."""
+        return float(-np.arctan2(self.fy, self.fx))
+
+
 class _Spectrum:
     """Power of a picture of edges, of which autocorrelations along nearly level lines are made."""
 
@@ -258,6 +331,30 @@ class _Spectrum:
         # Light, and wide stripes.
         line[self._fx < 3 / self._width] = 0
         return np.fft.irfft(line, 2 * self._width)[: self._width // 2] / self._left
+
+    def peaks(self) -> list[_Peak]:
+        """The strongest frequencies of nearly upright lines that threads may have, strongest first."""
+        # Threads have frequencies in the first columns alone.
+        columns = int(2 * self._width / MIN_THREAD_PX) + 3
+        power, rows = self._power[:, :columns], len(self._power)
+        fx = self._fx[:columns]
+        steep = np.abs(self._fy) <= np.tan(np.radians(MAX_TURN)) * fx
+        inside = steep & (fx > 1 / (_MAX_PERIOD * self._width)) & (fx < 1 / MIN_THREAD_PX)
+        # Windows make a peak four bins wide.
+        around = power
+        for axis in (0, 1):
+            around = np.max([np.roll(around, shift, axis) for shift in range(-2, 3)], axis=0)
+        tops = np.argwhere((power >= around) & inside)
+        tops = tops[np.argsort(-power[tops[:, 0], tops[:, 1]])][:_PEAKS]
+        found = []
+        for row, column in tops:
+            beside = np.log(power[row, [column - 1, column, column + 1]] + 1e-30)
+            over = np.log(power[[row - 1, row, (row + 1) % rows], column] + 1e-30)
+            x = (column + _vertex(*beside)) / (2 * self._width)
+            y = float(self._fy[row, 0]) + _vertex(*over) / (2 * self._height)
+            error = _PEAK_ERROR / (self._height * x)
+            found.append(_Peak(float(x), float(y), float(power[row, column]), float(error)))
+        return found
 
     def repeats(self, turn: float) -> float:
         """How high the autocorrelation's peaks stand over its dips, at best."""
@@ -331,21 +428,38 @@ def _family(edges: Plane, light: Plane, spectrum: _Spectrum, turn: float) -> Fam
             f"the photograph shows {width / period:.0f} threads across; step back until it shows "
             f"{MIN_THREADS:.0f} or more."
         )
-    fx, fy = 1 / period, -np.tan(turn) / period
+    number, coherence = _followed_from(edges, 1 / period, -np.tan(turn) / period)
+    family = _in_phase(edges, (number, coherence), sure)
+    crown = _crown(light, family.number)
+    return family if crown is None else _halved(family, 1 - crown)
+
+
+def _followed_from(edges: Plane, fx: float, fy: float) -> tuple[Plane, float]:
+    """Number of threads at each pixel, and how coherent it is, from a frequency that is about right."""
+    number, coherence = np.zeros_like(edges), 0.0
     for threads in (_WIDE, _NARROW):
         number, coherence = _followed(edges, fx, fy, threads)
         fx, fy = _slope(number)
-    # Boundaries are where edges are strongest.
+    return number, coherence
+
+
+def _in_phase(edges: Plane, followed: tuple[Plane, float], sure: float) -> Family:
+    """The family of followed threads, whose boundaries are where edges are strongest."""
+    number, coherence = followed
     number = number - _peak_place(_profile(edges, number))
-    crown = _crown(light, number)
-    if crown is not None:
-        number = (number - (1 - crown)) / 2
-        fx, fy = fx / 2, fy / 2
+    fx, fy = _slope(number)
     per_px = float(np.hypot(fx, fy))
     # The mean slope is what both sides of the picture differ by: a tenth of a thread is not known there.
-    error = 0.1 / (per_px * width) * np.sqrt(2) / max(coherence, 0.1)
+    error = 0.1 / (per_px * edges.shape[1]) * np.sqrt(2) / max(coherence, 0.1)
     number = number - np.floor(number.min())
     return Family(number, per_px, float(error), float(-np.arctan2(fy, fx)), sure)
+
+
+def _halved(family: Family, start: int) -> Family:
+    """The family of threads twice as thick, which begin at even (0) or odd (1) boundaries."""
+    number = (family.number - start) / 2
+    number = number - np.floor(number.min())
+    return replace(family, number=number, per_px=family.per_px / 2, error=2 * family.error)
 
 
 def _crown(light: Plane, number: Plane) -> int | None:

@@ -31,6 +31,8 @@ Report = Callable[[int, int], None]
 _WINDOWS, _MATT = (0.0, 90.0, 180.0, 270.0), "cotton"
 # Kinds of yarn that weaves are rendered in: matt, glossy and between.
 _TRIED_KINDS = ("cotton", "worsted", "viscose", "silk")
+# Of these the likeliest in which groups of threads are, beside the weave that they are groups of.
+_GROUP_KINDS = 2
 # Weaves that are rendered beside the photograph, and by how much likelier the best may be than another.
 _RENDERED, _MARGIN = 3, 0.6
 # Threads a side of the repeat that yarns are fitted to; of a larger one it is a part.
@@ -72,6 +74,7 @@ class Hypothesis:
         within: mean square of encoded pixels about the mean of many repeats; infinite if one is seen.
         cost: mean square of what the render leaves of that mean.
         votes: crossings that count.
+        kinds: of yarn that it was rendered in, likeliest first.
         prior: logarithm of how much rarer such a weave is than a common one.
     """
 
@@ -81,6 +84,7 @@ class Hypothesis:
     within: float
     cost: float
     votes: float
+    kinds: tuple[str, ...]
     prior: float = 0.0
 
     @property
@@ -163,11 +167,13 @@ def _with_groups(face: Seen, fit: WeaveFit, light: Light, votes: float) -> list[
     if not pairs:
         return [_rendered(face, choice_of(face, fit), light, votes)]
     done = {core.times: _rendered(face, choice_of(face, fit), light, votes, core.times)}
+    kinds = done[core.times].kinds[:_GROUP_KINDS]
 
     def render(times: tuple[int, int]) -> None:
         group = grouped(encoded, core, times)
         seen = Seen(face.photo, group.grid, group.crossings)
-        done[times] = _rendered(seen, WeaveChoice(group.fit, 1.0, *group.orders), light, votes, times)
+        choice = WeaveChoice(group.fit, 1.0, *group.orders)
+        done[times] = _rendered(seen, choice, light, votes, times, kinds)
 
     for times in pairs:
         render(times)
@@ -206,27 +212,40 @@ def likelihoods(found: list[Hypothesis], signed: float = 0.5) -> NDArray[np.floa
 
 
 def _rendered(
-    seen: Seen, choice: WeaveChoice, light: Light, votes: float, times: tuple[int, int] | None = None
+    seen: Seen,
+    choice: WeaveChoice,
+    light: Light,
+    votes: float,
+    times: tuple[int, int] | None = None,
+    kinds: tuple[str, ...] = _TRIED_KINDS,
 ) -> Hypothesis:
     """A weave in the likeliest of a few kinds of yarn; a group of `times` picks and ends is one thread."""
     samples = None if times is None else (_GROUP_SAMPLES // times[0], _GROUP_SAMPLES // times[1])
-    fitter, start = begun(seen, choice, light, samples)
+    fitter, starts = _kinds_begun(seen, choice, light, samples, kinds)
+    start = starts[0]
     # A mean of few repeats follows what is chance in them.
     repeats = fitter.repeats
     within = fitter.within * repeats / (repeats - 1) if repeats > _MIN_REPEATS else np.inf
     is_rare = times is not None and max(times) > _FIRST_LIMIT
-    return Hypothesis(seen, choice, start, within, start.cost, votes, _RARE if is_rare else 0.0)
+    likeliest = tuple(each.yarns.kind for each in starts)
+    return Hypothesis(seen, choice, start, within, start.cost, votes, likeliest, _RARE if is_rare else 0.0)
 
 
-def begun(
-    seen: Seen, choice: WeaveChoice, light: Light, samples: tuple[int, int] | None = None
-) -> tuple[YarnFitter, Fit]:
+def begun(seen: Seen, choice: WeaveChoice, light: Light) -> tuple[YarnFitter, Fit]:
     """A weave with the likeliest of a few kinds of yarn."""
+    fitter, starts = _kinds_begun(seen, choice, light, None, _TRIED_KINDS)
+    return fitter, starts[0]
+
+
+def _kinds_begun(
+    seen: Seen, choice: WeaveChoice, light: Light, samples: tuple[int, int] | None, kinds: tuple[str, ...]
+) -> tuple[YarnFitter, list[Fit]]:
+    """A weave in some kinds of yarn, likeliest first."""
     cloth, tile = cloth_and_tile(seen, choice, samples)
     fitter = YarnFitter(cloth, tile, light)
     colours = choice.warp.colours, choice.weft.colours
-    starts = [fitter.begun(kind, colours, steps=1) for kind in _TRIED_KINDS]
-    return fitter, min(starts, key=lambda start: start.cost)
+    starts = [fitter.begun(kind, colours, steps=1) for kind in kinds]
+    return fitter, sorted(starts, key=lambda start: start.cost)
 
 
 def light_of(face: Seen, fit: WeaveFit, kind: str) -> Light:

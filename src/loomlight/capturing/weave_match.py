@@ -121,15 +121,18 @@ def candidate_name(structure: Structure) -> str | None:
     return _names_of_candidates().get((structure.shape, _canonical(structure)))
 
 
-def fit_weaves(crossings: list[Crossings]) -> list[WeaveFit]:
+def fit_weaves(crossings: list[Crossings], most: int | None = None) -> list[WeaveFit]:
     """All weaves in their best places, best first.
 
     Args:
         crossings: of the face, and where there is a photograph of it, of the back, seen from behind.
+        most: crossings of the repeat of a weave that is tried; all weaves are by default.
     """
     evidence = [_Evidence(part) for part in crossings]
     fits = []
     for name, packed, shape in candidates():
+        if most is not None and shape[0] * shape[1] > most:
+            continue
         bits = np.unpackbits(np.frombuffer(packed, np.uint8), count=shape[0] * shape[1])
         structure = bits.reshape(shape).astype(bool)
         fits.append(_best_place(name, structure, evidence))
@@ -152,7 +155,9 @@ def fit_drafts(crossings: list[Crossings], fits: list[WeaveFit]) -> list[WeaveFi
     known = {_canonical(fit.structure) for fit in fits if fit.structure.shape == structure.shape}
     found = []
     for each in (structure, ~structure):
-        if not each.any(axis=0).all() or each.all(axis=0).any() or _canonical(each) in known:
+        # Each end and each pick is on top somewhere and below elsewhere, or it would fall out of the cloth.
+        bound = all(each.any(axis=axis).all() and not each.all(axis=axis).any() for axis in (0, 1))
+        if not bound or _canonical(each) in known:
             continue
         fit = fit_structure(_name_of(each), each, crossings)
         # Each crossing of the repeat is free: a choice of two that a name has not.
