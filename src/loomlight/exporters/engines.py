@@ -38,6 +38,8 @@ _FILES = Path(__file__).parent / "engine_files"
 _MIN_SIDE, _MAX_SIDE = 16, 4096
 # What Unreal's and Godot's `specular` of 0.5 stands for, and how it grows: F0 is 0.08 s, or 0.16 s².
 _UNREAL_SPECULAR, _GODOT_SPECULAR = 0.08, 0.16
+# Godot's α across over α along the direction in which highlights are wide is 1 − 0.9 times its anisotropy.
+_GODOT_ANISOTROPY = 0.9
 
 
 @dataclass(frozen=True, eq=False)
@@ -294,7 +296,7 @@ def _unity_import(pack: Pack, name: str) -> dict[str, object]:
 
 
 def write_godot(folder: Path, fabric: Fabric, model: str, distance: float | None) -> dict[str, object]:
-    """Textures with Y-up normals, and a StandardMaterial3D of each density as text; returns facts.
+    """Textures with Y-up normals, how they are imported, a StandardMaterial3D of each density; returns facts.
 
     Raises:
         InputError: what a fit raises.
@@ -307,19 +309,40 @@ def write_godot(folder: Path, fabric: Fabric, model: str, distance: float | None
             "normal": density.simple.normal_map(),
             "orm": density.orm(),
         }
+        flow = _godot_flow(density.cloth.material)
+        if flow[..., 3].any():
+            found["flow"] = flow
         passed = density.cloth.passed
         if passed.max() > 0:
             found["backlight"] = eight_bits(linear_to_srgb(passed))
         return {f"{pack.key}_{density.label}_{name}": pixels for name, pixels in found.items()}
 
     names = _write_textures(folder, pack, textures)
+    names += [_write(folder, f"{name}.import", "godot.import.in", _godot_import(name)) for name in names]
     for each in pack.densities:
         stem, path = f"{each.label}/{pack.key}_{each.label}_", f"{pack.key}_{each.label}.tres"
-        own = [name.removeprefix(stem).removesuffix(".png") for name in names if name.startswith(stem)]
+        own = [re.sub(rf"{stem}|\.png$", "", name) for name in names if re.match(rf"{stem}\w+\.png$", name)]
         (folder / path).write_text(_godot_material(pack, each, own), encoding="utf-8")
         names.append(path)
     names.append(_write(folder, "README.md", "godot.md", pack.words))
     return _facts(pack, names)
+
+
+def _godot_flow(material: FittedMaterial) -> Picture:
+    """In which direction highlights are wide, coded as normals are, and in alpha how much: 0 to 1."""
+    ratio = material.alpha_y / np.maximum(material.alpha_x, 1e-6)
+    anisotropy = np.clip((1 - ratio) / _GODOT_ANISOTROPY, 0, 1)[..., None]
+    return eight_bits(
+        np.concatenate([0.5 + 0.5 * material.direction, np.zeros_like(anisotropy), anisotropy], axis=-1)
+    )
+
+
+def _godot_import(name: str) -> dict[str, object]:
+    """How Godot is to import a texture: by itself it makes no smaller copies of it for views from afar."""
+    return {
+        "normal_map": 1 if name.endswith("_normal.png") else 2,  # yes or no, without asking
+        "has_holes": str(name.endswith("_albedo.png")).lower(),
+    }
 
 
 def _godot_material(pack: Pack, density: Density, textures: list[str]) -> str:
@@ -346,6 +369,8 @@ def _godot_material(pack: Pack, density: Density, textures: list[str]) -> str:
         "texture_filter = 5",  # linear, anisotropic mipmaps
         f"uv1_scale = Vector3({words[f'{label}_across']}, {words[f'{label}_up']}, 1)",
     ]
+    if "flow" in textures:
+        lines += ["anisotropy_enabled = true", "anisotropy = 1.0", 'anisotropy_flowmap = ExtResource("flow")']
     if "backlight" in textures:
         lines += ["backlight_enabled = true", 'backlight_texture = ExtResource("backlight")']
     return "\n".join([*lines, ""])

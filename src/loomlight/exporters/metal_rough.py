@@ -2,7 +2,7 @@
 
 Of a fitted material the mean reflection is kept: light that the sheen reflects becomes colour, light that
 passes is left out, highlights are as wide as those along and across fibres in the mean, and their reflectance
-at normal incidence is what gives Schlick's rise to 1 the albedo of the fit's to its own weight.
+at normal incidence is what gives the engines' rise towards grazing the albedo of the fit's own.
 """
 
 from __future__ import annotations
@@ -19,6 +19,9 @@ from loomlight.exporters.standards import Numbers, sheen_albedo
 
 # Mean of Schlick's (1 − cos θ)⁵ over the hemisphere.
 _SCHLICK_MEAN = 1 / 21
+# At grazing angles Unreal, Unity's HDRP and Godot reflect as many times what they do at normal incidence, at
+# most all: what reflects less than 2 % is taken for a crevice.
+_GRAZING = 50
 # Engines take half of it, that of glass, for the middle of what a surface may reflect.
 _MAX_REFLECTANCE = 0.08
 
@@ -31,7 +34,7 @@ class MetalRough:
         size: of what the textures hold, millimetres.
         base: base colour [..., 3]. opacity: 0 to 1. normal: unit vectors [..., 3], z away from the cloth.
         roughness: the root of GGX's α, 0 to 1.
-        reflectance: at normal incidence, 0 to 0.08; at grazing angles it is 1.
+        reflectance: at normal incidence, 0 to 0.08.
     """
 
     size: tuple[float, float]
@@ -56,9 +59,9 @@ def metal_rough(material: FittedMaterial) -> MetalRough:
     sheen = material.sheen * _mean_sheen(material.sheen_roughness)
     reflected = material.base * (1 - material.transmission)[..., None]
     glossy = material.weight * (material.specular.mean() * (1 - _SCHLICK_MEAN) + _SCHLICK_MEAN)
-    reflectance = float(np.clip((glossy - _SCHLICK_MEAN) / (1 - _SCHLICK_MEAN), 0, _MAX_REFLECTANCE))
-    # What is more than a reflectance may say is in the base; rough gloss of none adds little.
-    missing = max(glossy - reflectance - (1 - reflectance) * _SCHLICK_MEAN, 0.0)
+    reflectance = _reflectance(glossy)
+    # What is more than a reflectance may say is in the base.
+    missing = max(glossy - _glossy_albedo(reflectance), 0.0)
     return MetalRough(
         size=material.size,
         base=np.clip(reflected * (1 - sheen.max()) + sheen + missing, 0, 1),
@@ -67,6 +70,18 @@ def metal_rough(material: FittedMaterial) -> MetalRough:
         roughness=(material.alpha_x * material.alpha_y) ** 0.25,
         reflectance=reflectance,
     )
+
+
+def _glossy_albedo(reflectance: float) -> float:
+    """Share of the light that engines reflect, in the mean over directions."""
+    return reflectance * (1 - _SCHLICK_MEAN) + min(_GRAZING * reflectance, 1) * _SCHLICK_MEAN
+
+
+def _reflectance(albedo: float) -> float:
+    """The reflectance at normal incidence of such a mean, or the largest."""
+    if albedo < _glossy_albedo(1 / _GRAZING):
+        return albedo / _glossy_albedo(1 / _GRAZING) / _GRAZING
+    return min((albedo - _SCHLICK_MEAN) / (1 - _SCHLICK_MEAN), _MAX_REFLECTANCE)
 
 
 def _mean_sheen(roughness: float) -> float:
