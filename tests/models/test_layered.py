@@ -74,9 +74,9 @@ def _values(model: Model, side: float, count: int, pair: int, seed: int) -> NDAr
 def test_means_of_models_are_those_of_points(draft: str, pair: int) -> None:
     """Over a whole repeat. `samples` has no bias.
 
-    `lobes` has one colour of each family at a place, a mean of the layers that show: it errs by 19 % of the
-    brightest channel where these differ most. Light that comes through is faint, and its colour a product of
-    those of all layers: twice as much or half of it.
+    `lobes` errs by 3 % of the brightest channel at most, but for the back of four layers, black over grey,
+    where that is 8 %: 0.0013 beside 0.1 of other cloth. Through the cloth it errs by 5 % of what comes
+    through the figure, and by 10 % where ten times less does.
     """
     point = _values(_model("point", draft), 1e-3, 1 << 15, pair, 1)
     mean, error = point.mean(axis=0), point.std(axis=0) / math.sqrt(len(point))
@@ -87,7 +87,7 @@ def test_means_of_models_are_those_of_points(draft: str, pair: int) -> None:
     assert (np.abs(samples.mean(axis=0) - mean) < 4.5 * both + 1e-6).all()
     lobes = _values(_model("lobes", draft), 1.5 * side, 1 << 9, pair, 3)
     through = PAIRS[pair][0][2] * PAIRS[pair][1][2] < 0
-    bound = 2e-3 if through else 0.2 * mean.max()
+    bound = 0.05 * mean.max() + 1e-4 if through else max(0.035 * mean.max(), 1.6e-3)
     assert (np.abs(lobes.mean(axis=0) - mean) < bound + 4.5 * error).all()
 
 
@@ -116,8 +116,8 @@ def test_blocks_have_the_colours_of_the_cloth_in_front() -> None:
         )[0]
         for back in (False, True)
     )
-    # Half and half from afar, but for what shows through gaps.
-    assert np.allclose(front.diffuse_reflect.numpy(), behind.diffuse_reflect.numpy(), rtol=2e-2)
+    # Half and half from afar, but for what shows through gaps, and rates of layers, fits that are 2 % off.
+    assert np.allclose(front.diffuse_reflect.numpy(), behind.diffuse_reflect.numpy(), rtol=4e-2)
 
 
 def _inside(region: NDArray[np.bool_]) -> NDArray[np.bool_]:
@@ -208,7 +208,7 @@ def test_means_of_colours_count_the_dots_of_ties() -> None:
     ]
     footprint = Footprint(Array2f(width / 2, height / 2), Array2f(8 * width, 0), Array2f(0, 8 * height))
     means = _model("lobes", "stitched-double-cloth").means.over(footprint, False)[0].diffuse_reflect.numpy()
-    # Blue of 0.03 without dots becomes 0.1; that they hide warp and weft unevenly is not told, nor is chance.
+    # Blue of 0.03 without dots becomes 0.1.
     assert np.allclose(means.ravel(), shown.mean(axis=1), atol=7e-3)
     assert shown.mean(axis=1)[2] > 0.08
 
@@ -227,3 +227,26 @@ def test_cloths_that_change_places_are_not_tied_along_their_borders() -> None:
     ties = sum(int(tied.places.sum()) for tied in ties_between(drawdown, found, layers))
     assert broken > 10
     assert ties < broken / 3
+
+
+def test_close_ups_have_the_colours_of_the_layer_that_shows() -> None:
+    """Footprints of a twentieth of a thread, half of them over gaps: red of the face, blue behind it."""
+    fabric = _fabric("double-plain", "gap = 0.5")
+    model = make_model("lobes", fabric)
+    rng = np.random.default_rng(11)
+    width, height = fabric.repeat_mm
+    centre = Array2f(Float(rng.uniform(0, width, 400)), Float(rng.uniform(0, height, 400)))
+    side = 0.05 * width / 4
+    footprint = Footprint(centre, Array2f(side, 0), Array2f(0, side))
+    view = _unit((0.1, 0.0, 1.0)) + 0 * Array3f(centre.x)
+    point = model.point_model.locate(centre.x, centre.y, view)
+    expected = point.albedos.diffuse_reflect.numpy()
+    shown = ~point.hole.numpy()
+    albedos = model.at(view, footprint).albedos_towards(view)
+    warp, weft = (family.diffuse_reflect.numpy() for family in (albedos.warp, albedos.weft))
+    found = np.where(point.is_warp.numpy(), warp, weft)
+    # Rays that end on walls may be told from either side.
+    is_same = np.abs(found - expected).max(axis=0)[shown] < 1e-3
+    assert is_same.mean() > 0.98
+    blue = expected[2, shown] > 2 * expected[0, shown]
+    assert 0.1 < blue.mean() < 0.6

@@ -5,7 +5,7 @@ more, and what shows lies in shadow: so one mean colour of warp and one of weft 
 Here rays over the repeat are counted by layer, and each count becomes a log-linear rate of a view v and a
 light l,
 
-    rate(v, l) = exp(c · (1, t(v), t(l), l_x v_x, l_y v_y)),        t of `DIRECTION_TERMS` terms
+    rate(v, l) = exp(c · (1, t(v), t(l), l_x v_x + l_y v_y)),        t of `DIRECTION_TERMS` terms
 
 by maximum likelihood (Poisson regression). Rates of one family over their sum are the weights of its albedos.
 """
@@ -33,16 +33,18 @@ RAYS = 1 << 16
 # Directions nearer to grazing than this are left out.
 MIN_COSINE = 0.03
 # Terms of one direction. Rows of rates are two halves of so many numbers: of the view, 1 first; of the light.
-DIRECTION_TERMS = 6
-RATE_HALF = DIRECTION_TERMS + 2
+DIRECTION_TERMS = 7
+RATE_HALF = DIRECTION_TERMS + 1
 # Kinds of rates: diffuse light of the side of the view; that of the other side where no layer lies behind,
 # and where one does; and the share of the views that meet yarn with a layer behind, whatever the light.
 LIT, BARE, COVERED, BACKED, RATES = range(5)
 # Logarithm of the rate of what never shows, and the highest.
 NO_RATE, MAX_RATE = -30.0, 3.0
 # A rate of fewer rays is constant; ridge, in rays.
-_FEWEST, _RIDGE = 64, 4.0
+_FEWEST, _RIDGE = 64, 1.0
 _STEPS = 16
+# Power of a uniform number that a sine is: views close to the normal, where people look, are the most.
+_TILT = 2 / 3
 # Pairs of directions over which rates are integrated, and the seven dimensions of the recurrence of rays:
 # powers of 1/φ₆, the root of x⁷ = x + 1 (Roberts 2018).
 _QUADRATURE = 1 << 11
@@ -54,24 +56,24 @@ _kept: Final[WeakKeyDictionary[Layer, dict[tuple[Any, ...], Numbers]]] = WeakKey
 
 
 def direction_terms(x: Any, y: Any, z: Any, sine: Any) -> tuple[Any, ...]:
-    """sin θ, (1 − cos θ)², (1 − cos θ)⁴, x² − y², x y, (x² − y²)² of a unit vector in the frame of a face.
+    """sin θ, sin² θ, (1 − cos θ)², (1 − cos θ)⁴, x² − y², x y, (x² − y²)² of a unit vector in a face's frame.
 
     Args:
         x, y, z: numbers or arrays, z ≥ 0.
         sine: √(x² + y²).
     """
     squared, across = (1 - z) * (1 - z), x * x - y * y
-    return sine, squared, squared * squared, across, x * y, across * across
+    return sine, sine * sine, squared, squared * squared, across, x * y, across * across
 
 
 def view_half(x: Any, y: Any, z: Any, sine: Any) -> tuple[Any, ...]:
-    """Terms of rates that do not depend on the light; the last one is not used."""
-    return 1.0, *direction_terms(x, y, z, sine), 0.0
+    """Terms of rates that do not depend on the light."""
+    return 1.0, *direction_terms(x, y, z, sine)
 
 
 def light_half(x: Any, y: Any, z: Any, sine: Any, view_x: Any, view_y: Any) -> tuple[Any, ...]:
     """The others, of a light and a view in the frame of the face seen, z ≥ 0."""
-    return *direction_terms(x, y, z, sine), x * view_x, y * view_y
+    return *direction_terms(x, y, z, sine), x * view_x + y * view_y
 
 
 def layer_rates(geometry: StackedGeometry, appearance: Appearance) -> Numbers:
@@ -155,12 +157,12 @@ def _measured(geometry: StackedGeometry, appearance: Appearance) -> Numbers:
 
 
 def _rays(count: int) -> tuple[Numbers, Numbers, Numbers]:
-    """Places in repeats [2, n], and unit vectors of views and lights [3, n], z > 0, even in solid angle."""
+    """Places in repeats [2, n], and unit vectors of views and of lights [3, n], z > 0."""
     unit = (0.5 + np.arange(1, count + 1)[:, None] * _STEP) % 1
     directions = []
     for tilt, turn in ((2, 3), (4, 5)):
-        z = MIN_COSINE + (1 - MIN_COSINE) * unit[:, tilt]
-        sine = np.sqrt(1 - z * z)
+        sine = np.sqrt(1 - MIN_COSINE**2) * unit[:, tilt] ** _TILT
+        z = np.sqrt(1 - sine * sine)
         angle = 2 * np.pi * unit[:, turn]
         directions.append(np.stack([sine * np.cos(angle), sine * np.sin(angle), z]))
     return unit[:, :2].T, directions[0], directions[1]

@@ -662,7 +662,7 @@ export const LATENT_MIN_LIGHT = 0.01;
 // aggregate.layer_shares
 export const LAYERS_RAYS = 65536;
 export const LAYERS_MIN_COSINE = 0.03;
-export const LAYERS_DIRECTION_TERMS = 6;
+export const LAYERS_DIRECTION_TERMS = 7;
 export const LAYERS_RATE_HALF = 8;
 export const LAYERS_LIT = 0;
 export const LAYERS_BARE = 1;

@@ -1059,13 +1059,15 @@ fn LayersBehind_x24init_0( reflected_1 : vec3<f32>,  transmitted_1 : vec3<f32>) 
 struct LayeredAlbedos_0
 {
      albedos_0 : FamilyAlbedos_0,
+     means_0 : FamilyAlbedos_0,
      behind_0 : LayersBehind_0,
 };
 
-fn LayeredAlbedos_x24init_0( albedos_1 : FamilyAlbedos_0,  behind_1 : LayersBehind_0) -> LayeredAlbedos_0
+fn LayeredAlbedos_x24init_0( albedos_1 : FamilyAlbedos_0,  means_1 : FamilyAlbedos_0,  behind_1 : LayersBehind_0) -> LayeredAlbedos_0
 {
     var _S203 : LayeredAlbedos_0;
     _S203.albedos_0 = albedos_1;
+    _S203.means_0 = means_1;
     _S203.behind_0 = behind_1;
     return _S203;
 }
@@ -1073,15 +1075,21 @@ fn LayeredAlbedos_x24init_0( albedos_1 : FamilyAlbedos_0,  behind_1 : LayersBehi
 struct LayerSums_0
 {
      albedos_2 : Albedos_0,
+     means_2 : Albedos_0,
      weight_2 : f32,
+     lit_0 : f32,
+     passed_0 : f32,
      behind_2 : LayersBehind_0,
 };
 
-fn LayerSums_x24init_0( albedos_3 : Albedos_0,  weight_3 : f32,  behind_3 : LayersBehind_0) -> LayerSums_0
+fn LayerSums_x24init_0( albedos_3 : Albedos_0,  means_3 : Albedos_0,  weight_3 : f32,  lit_1 : f32,  passed_1 : f32,  behind_3 : LayersBehind_0) -> LayerSums_0
 {
     var _S204 : LayerSums_0;
     _S204.albedos_2 = albedos_3;
+    _S204.means_2 = means_3;
     _S204.weight_2 = weight_3;
+    _S204.lit_0 = lit_1;
+    _S204.passed_0 = passed_1;
     _S204.behind_2 = behind_3;
     return _S204;
 }
@@ -1318,7 +1326,7 @@ fn albedos_in_0( plane_0 : Plane_0,  centre_2 : vec2<f32>,  size_5 : vec2<f32>, 
     return albedos_7;
 }
 
-fn rate_terms_0( direction_3 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
+fn rate_terms_0( direction_3 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(7)>>)
 {
     var _S246 : f32 = 1.0f - direction_3.z;
     var _S247 : f32 = _S246 * _S246;
@@ -1327,23 +1335,25 @@ fn rate_terms_0( direction_3 : vec3<f32>,  terms_0 : ptr<function, array<f32, i3
     var _S250 : f32 = direction_3.y;
     var _S251 : f32 = _S250 * _S250;
     var _S252 : f32 = _S249 - _S251;
-    (*terms_0)[i32(0)] = sqrt(_S249 + _S251);
-    (*terms_0)[i32(1)] = _S247;
-    (*terms_0)[i32(2)] = _S247 * _S247;
-    (*terms_0)[i32(3)] = _S252;
-    (*terms_0)[i32(4)] = _S248 * _S250;
-    (*terms_0)[i32(5)] = _S252 * _S252;
+    var _S253 : f32 = _S249 + _S251;
+    (*terms_0)[i32(1)] = _S253;
+    (*terms_0)[i32(0)] = sqrt(_S253);
+    (*terms_0)[i32(2)] = _S247;
+    (*terms_0)[i32(3)] = _S247 * _S247;
+    (*terms_0)[i32(4)] = _S252;
+    (*terms_0)[i32(5)] = _S248 * _S250;
+    (*terms_0)[i32(6)] = _S252 * _S252;
     return;
 }
 
-fn rate_of_view_0( first_6 : u32,  terms_1 : array<f32, i32(6)>) -> f32
+fn rate_of_view_0( first_6 : u32,  terms_1 : array<f32, i32(7)>) -> f32
 {
-    var _S253 : f32 = table_number_0(first_6);
+    var _S254 : f32 = table_number_0(first_6);
     var term_0 : u32 = u32(0);
-    var total_6 : f32 = _S253;
+    var total_6 : f32 = _S254;
     for(;;)
     {
-        if(term_0 < u32(6))
+        if(term_0 < u32(7))
         {
         }
         else
@@ -1357,23 +1367,22 @@ fn rate_of_view_0( first_6 : u32,  terms_1 : array<f32, i32(6)>) -> f32
     return total_6;
 }
 
-fn rate_of_light_0( first_7 : u32,  terms_2 : array<f32, i32(6)>,  both_0 : vec2<f32>) -> f32
+fn rate_of_light_0( first_7 : u32,  terms_2 : array<f32, i32(7)>,  both_0 : f32) -> f32
 {
-    var _S254 : u32 = first_7 + u32(8);
-    var _S255 : u32 = _S254 + u32(6);
-    var _S256 : f32 = table_number_0(_S255) * both_0.x + table_number_0(_S255 + u32(1)) * both_0.y;
+    var _S255 : u32 = first_7 + u32(8);
+    var _S256 : f32 = table_number_0(_S255 + u32(7)) * both_0;
     var term_1 : u32 = u32(0);
     var total_8 : f32 = _S256;
     for(;;)
     {
-        if(term_1 < u32(6))
+        if(term_1 < u32(7))
         {
         }
         else
         {
             break;
         }
-        var total_9 : f32 = total_8 + table_number_0(_S254 + term_1) * terms_2[term_1];
+        var total_9 : f32 = total_8 + table_number_0(_S255 + term_1) * terms_2[term_1];
         term_1 = term_1 + u32(1);
         total_8 = total_9;
     }
@@ -1385,55 +1394,62 @@ fn rate_of_0( logarithm_0 : f32) -> f32
     return exponential_0(clamp(logarithm_0, -30.0f, 3.0f));
 }
 
-fn with_layer_0( sums_3 : Albedos_0,  albedos_8 : Albedos_0,  lit_0 : f32,  passed_0 : f32) -> Albedos_0
+fn with_layer_0( sums_3 : Albedos_0,  albedos_8 : Albedos_0,  lit_2 : f32,  passed_2 : vec3<f32>) -> Albedos_0
 {
     var result_0 : Albedos_0;
-    var _S257 : vec3<f32> = vec3<f32>(lit_0);
+    var _S257 : vec3<f32> = vec3<f32>(lit_2);
     result_0.diffuse_reflect_0 = sums_3.diffuse_reflect_0 + _S257 * albedos_8.diffuse_reflect_0;
-    var _S258 : vec3<f32> = vec3<f32>(passed_0);
-    result_0.diffuse_transmit_0 = sums_3.diffuse_transmit_0 + _S258 * albedos_8.diffuse_transmit_0;
+    result_0.diffuse_transmit_0 = sums_3.diffuse_transmit_0 + passed_2 * albedos_8.diffuse_transmit_0;
     result_0.specular_reflect_0 = sums_3.specular_reflect_0 + _S257 * albedos_8.specular_reflect_0;
-    result_0.specular_transmit_0 = sums_3.specular_transmit_0 + _S258 * albedos_8.specular_transmit_0;
+    result_0.specular_transmit_0 = sums_3.specular_transmit_0 + passed_2 * albedos_8.specular_transmit_0;
     return result_0;
 }
 
 fn with_seen_0( sums_4 : LayerSums_0,  albedos_9 : Albedos_0,  through_0 : f32,  first_8 : u32,  share_1 : f32,  alone_0 : f32,  light_1 : vec3<f32>,  view_2 : vec3<f32>) -> LayerSums_0
 {
-    var of_view_0 : array<f32, i32(6)>;
+    var of_view_0 : array<f32, i32(7)>;
     rate_terms_0(view_2, &(of_view_0));
-    var _S259 : f32 = light_1.x;
-    var _S260 : f32 = light_1.y;
-    var _S261 : f32 = light_1.z;
-    var of_light_0 : array<f32, i32(6)>;
-    rate_terms_0(vec3<f32>(_S259, _S260, abs(_S261)), &(of_light_0));
-    var _S262 : vec2<f32> = vec2<f32>(_S259 * view_2.x, _S260 * view_2.y);
-    var _S263 : bool = _S261 < 0.0f;
-    var _S264 : u32 = first_8 + u32(16) * select(u32(0), u32(1), _S263);
-    var _S265 : u32 = first_8 + u32(32);
-    var _S266 : f32 = share_1 * alone_0;
-    var _S267 : f32 = _S266 * rate_of_0(rate_of_view_0(_S264, of_view_0) + rate_of_light_0(_S264, of_light_0, _S262));
-    var _S268 : f32 = _S266 * rate_of_0(rate_of_view_0(_S265, of_view_0) + rate_of_light_0(_S265, of_light_0, _S262));
-    var _S269 : f32 = share_1 * rate_of_0(rate_of_view_0(first_8 + u32(48), of_view_0));
-    var _S270 : u32 = first_8 + u32(64);
-    var _S271 : vec3<f32> = vec3<f32>(table_number_0(_S270), table_number_0(_S270 + u32(1)), table_number_0(_S270 + u32(2)));
-    var _S272 : vec3<f32> = vec3<f32>(table_number_0(_S270 + u32(3)), table_number_0(_S270 + u32(4)), table_number_0(_S270 + u32(5)));
+    var _S258 : f32 = light_1.x;
+    var _S259 : f32 = light_1.y;
+    var _S260 : f32 = light_1.z;
+    var of_light_0 : array<f32, i32(7)>;
+    rate_terms_0(vec3<f32>(_S258, _S259, abs(_S260)), &(of_light_0));
+    var _S261 : f32 = _S258 * view_2.x + _S259 * view_2.y;
+    var _S262 : bool = _S260 < 0.0f;
+    var _S263 : u32 = first_8 + u32(16) * select(u32(0), u32(1), _S262);
+    var _S264 : u32 = first_8 + u32(32);
+    var _S265 : f32 = share_1 * alone_0;
+    var _S266 : f32 = _S265 * rate_of_0(rate_of_view_0(_S263, of_view_0) + rate_of_light_0(_S263, of_light_0, _S261));
+    var _S267 : f32 = _S265 * rate_of_0(rate_of_view_0(_S264, of_view_0) + rate_of_light_0(_S264, of_light_0, _S261));
+    var _S268 : f32 = share_1 * rate_of_0(rate_of_view_0(first_8 + u32(48), of_view_0));
+    var _S269 : u32 = first_8 + u32(64);
+    var _S270 : vec3<f32> = vec3<f32>(table_number_0(_S269), table_number_0(_S269 + u32(1)), table_number_0(_S269 + u32(2)));
+    var _S271 : vec3<f32> = vec3<f32>(table_number_0(_S269 + u32(3)), table_number_0(_S269 + u32(4)), table_number_0(_S269 + u32(5)));
+    var _S272 : f32 = _S265 * rate_of_0(rate_of_view_0(first_8, of_view_0));
+    var _S273 : f32 = _S265 * rate_of_0(rate_of_view_0(first_8 + u32(16), of_view_0));
+    var _S274 : f32 = _S265 * rate_of_0(rate_of_view_0(_S264, of_view_0));
     var result_1 : LayerSums_0;
-    result_1.albedos_2 = with_layer_0(sums_4.albedos_2, albedos_9, _S267, _S267);
-    result_1.weight_2 = sums_4.weight_2 + _S267 + select(0.0f, _S268, _S263);
-    var _S273 : vec3<f32> = vec3<f32>(_S269);
-    result_1.behind_2.reflected_0 = sums_4.behind_2.reflected_0 + _S273 * _S272;
-    result_1.behind_2.transmitted_0 = sums_4.behind_2.transmitted_0 + _S273 * _S271 * (albedos_9.diffuse_transmit_0 + vec3<f32>(through_0) * albedos_9.specular_transmit_0);
+    result_1.means_2 = with_layer_0(sums_4.means_2, albedos_9, _S272, vec3<f32>(_S273) + vec3<f32>(_S274) * _S270);
+    result_1.lit_0 = sums_4.lit_0 + _S272;
+    result_1.passed_0 = sums_4.passed_0 + _S273 + _S274;
+    result_1.albedos_2 = with_layer_0(sums_4.albedos_2, albedos_9, _S266, vec3<f32>(_S266));
+    result_1.weight_2 = sums_4.weight_2 + _S266 + select(0.0f, _S267, _S262);
+    var _S275 : vec3<f32> = vec3<f32>(_S268);
+    result_1.behind_2.reflected_0 = sums_4.behind_2.reflected_0 + _S275 * _S271;
+    result_1.behind_2.transmitted_0 = sums_4.behind_2.transmitted_0 + _S275 * _S270 * (albedos_9.diffuse_transmit_0 + vec3<f32>(through_0) * albedos_9.specular_transmit_0);
     return result_1;
 }
 
-fn divided_0( sums_5 : Albedos_0,  weight_6 : f32) -> Albedos_0
+fn divided_0( sums_5 : Albedos_0,  lit_3 : f32,  passed_3 : f32) -> Albedos_0
 {
+    var _S276 : f32 = 1.0f / max(passed_3, 9.99999971718068537e-10f);
     var result_2 : Albedos_0;
-    var _S274 : vec3<f32> = vec3<f32>((1.0f / max(weight_6, 9.99999971718068537e-10f)));
-    result_2.diffuse_reflect_0 = sums_5.diffuse_reflect_0 * _S274;
-    result_2.diffuse_transmit_0 = sums_5.diffuse_transmit_0 * _S274;
-    result_2.specular_reflect_0 = sums_5.specular_reflect_0 * _S274;
-    result_2.specular_transmit_0 = sums_5.specular_transmit_0 * _S274;
+    var _S277 : vec3<f32> = vec3<f32>((1.0f / max(lit_3, 9.99999971718068537e-10f)));
+    result_2.diffuse_reflect_0 = sums_5.diffuse_reflect_0 * _S277;
+    var _S278 : vec3<f32> = vec3<f32>(_S276);
+    result_2.diffuse_transmit_0 = sums_5.diffuse_transmit_0 * _S278;
+    result_2.specular_reflect_0 = sums_5.specular_reflect_0 * _S277;
+    result_2.specular_transmit_0 = sums_5.specular_transmit_0 * _S278;
     return result_2;
 }
 
@@ -1464,32 +1480,32 @@ struct FaceSends_0
      blocks_weft_0 : f32,
 };
 
-fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_1 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
+fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_4 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S275 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_1;
+    var _S279 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_4;
     var found_0 : FaceRadiance_0;
-    var _S276 : vec3<f32> = sends_0.sky_warp_0 + _S275 * sends_0.crossing_warp_0;
-    found_0.warp_6 = _S276;
-    var _S277 : vec3<f32> = sends_0.sky_weft_0 + _S275 * sends_0.crossing_weft_0;
-    found_0.weft_6 = _S277;
-    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S276 + vec3<f32>(sends_0.blocks_weft_0) * _S277;
+    var _S280 : vec3<f32> = sends_0.sky_warp_0 + _S279 * sends_0.crossing_warp_0;
+    found_0.warp_6 = _S280;
+    var _S281 : vec3<f32> = sends_0.sky_weft_0 + _S279 * sends_0.crossing_weft_0;
+    found_0.weft_6 = _S281;
+    found_0.mean_0 = vec3<f32>(sends_0.blocks_warp_0) * _S280 + vec3<f32>(sends_0.blocks_weft_0) * _S281;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_3 : vec3<f32>,  terms_3 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S278 : f32 = 1.0f - view_3.z;
-    var _S279 : f32 = _S278 * _S278;
-    (*terms_3)[i32(0)] = 1.0f;
-    var _S280 : f32 = view_3.x;
-    var _S281 : f32 = _S280 * _S280;
-    var _S282 : f32 = view_3.y;
+    var _S282 : f32 = 1.0f - view_3.z;
     var _S283 : f32 = _S282 * _S282;
-    (*terms_3)[i32(1)] = sqrt(max(_S281 + _S283, 9.999999960041972e-13f));
-    (*terms_3)[i32(2)] = _S279;
-    (*terms_3)[i32(3)] = _S279 * _S279;
-    (*terms_3)[i32(4)] = _S281 - _S283;
+    (*terms_3)[i32(0)] = 1.0f;
+    var _S284 : f32 = view_3.x;
+    var _S285 : f32 = _S284 * _S284;
+    var _S286 : f32 = view_3.y;
+    var _S287 : f32 = _S286 * _S286;
+    (*terms_3)[i32(1)] = sqrt(max(_S285 + _S287, 9.999999960041972e-13f));
+    (*terms_3)[i32(2)] = _S283;
+    (*terms_3)[i32(3)] = _S283 * _S283;
+    (*terms_3)[i32(4)] = _S285 - _S287;
     (*terms_3)[i32(5)] = 0.0f;
     return;
 }
@@ -1525,21 +1541,21 @@ struct Interior_0
 
 fn bounced_by_0( blocked_0 : Blocked_0,  yarn_0 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S284 : vec3<f32> = vec3<f32>((blocked_0.by_warp_0 + blocked_0.by_weft_0)) * interior_0.leaked_1;
-    var _S285 : vec3<f32> = vec3<f32>(blocked_0.far_0) * yarn_0.through_1;
+    var _S288 : vec3<f32> = vec3<f32>((blocked_0.by_warp_0 + blocked_0.by_weft_0)) * interior_0.leaked_1;
+    var _S289 : vec3<f32> = vec3<f32>(blocked_0.far_0) * yarn_0.through_1;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_2 = yarn_0.back_5 * (vec3<f32>(blocked_0.by_warp_0) * interior_0.warp_7 + vec3<f32>(blocked_0.by_weft_0) * interior_0.weft_7) + _S285 * interior_0.far_leaked_0;
-    bounced_0.transmitted_2 = _S285 * interior_0.far_1 + yarn_0.back_5 * _S284;
+    bounced_0.reflected_2 = yarn_0.back_5 * (vec3<f32>(blocked_0.by_warp_0) * interior_0.warp_7 + vec3<f32>(blocked_0.by_weft_0) * interior_0.weft_7) + _S289 * interior_0.far_leaked_0;
+    bounced_0.transmitted_2 = _S289 * interior_0.far_1 + yarn_0.back_5 * _S288;
     bounced_0.is_covered_0 = false;
     return bounced_0;
 }
 
 fn texel_along_0( share_2 : f32,  first_9 : u32,  extent_1 : f32,  count_2 : u32) -> u32
 {
-    var _S286 : f32 = min(floor(share_2 * extent_1), extent_1 - 1.0f);
-    var _S287 : f32 = f32(count_2);
-    var _S288 : u32 = first_9 + min(u32(max(_S286 - floor(_S286 / _S287) * _S287, 0.0f)), count_2 - u32(1));
-    return select(_S288, _S288 - count_2, _S288 >= count_2);
+    var _S290 : f32 = min(floor(share_2 * extent_1), extent_1 - 1.0f);
+    var _S291 : f32 = f32(count_2);
+    var _S292 : u32 = first_9 + min(u32(max(_S290 - floor(_S290 / _S291) * _S291, 0.0f)), count_2 - u32(1));
+    return select(_S292, _S292 - count_2, _S292 >= count_2);
 }
 
 fn texel_of_0( tables_6 : ptr<function, Clustered_std430_0>,  box_4 : TexelBox_0,  share_3 : vec2<f32>) -> u32
@@ -1554,9 +1570,9 @@ fn uniform_hash_0( thread_4 : u32,  cell_6 : u32,  stream_1 : u32) -> f32
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_4 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S289 : u32 = pixel_0.x;
-    var _S290 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S289, _S290, stream_2), uniform_hash_0(_S289, _S290, stream_2 + u32(1))) + vec2<f32>(f32((index_4 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S293 : u32 = pixel_0.x;
+    var _S294 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S293, _S294, stream_2), uniform_hash_0(_S293, _S294, stream_2 + u32(1))) + vec2<f32>(f32((index_4 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_5 : u32) -> f32
@@ -1583,22 +1599,22 @@ fn choose_0( table_1 : u32,  count_3 : u32,  number_6 : f32) -> Choice_0
         {
             break;
         }
-        var _S291 : u32 = (low_1 + high_1) / u32(2);
-        if((scene_number_0(table_1 + _S291)) <= number_6)
+        var _S295 : u32 = (low_1 + high_1) / u32(2);
+        if((scene_number_0(table_1 + _S295)) <= number_6)
         {
-            low_1 = _S291;
+            low_1 = _S295;
         }
         else
         {
-            high_1 = _S291;
+            high_1 = _S295;
         }
     }
-    var _S292 : u32 = table_1 + low_1;
-    var _S293 : f32 = scene_number_0(_S292);
-    var _S294 : f32 = scene_number_0(_S292 + u32(1));
+    var _S296 : u32 = table_1 + low_1;
+    var _S297 : f32 = scene_number_0(_S296);
+    var _S298 : f32 = scene_number_0(_S296 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_6 = low_1;
-    choice_0.remainder_0 = saturate((number_6 - _S293) / max(_S294 - _S293, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_6 - _S297) / max(_S298 - _S297, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -1609,16 +1625,16 @@ fn mean_1( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_7 : f32) -> vec2<f32>
 {
-    var _S295 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
-    var _S296 : f32 = x_7 - _S295 * 1.5703125f - _S295 * 0.00048375129699707f - _S295 * 7.54979012640433211e-08f;
-    var _S297 : f32 = _S296 * _S296;
-    var _S298 : f32 = ((-0.00019515295571182f * _S297 + 0.00833216123282909f) * _S297 - 0.16666655242443085f) * _S297 * _S296 + _S296;
-    var _S299 : f32 = ((0.00002443315679557f * _S297 - 0.00138873164542019f) * _S297 + 0.04166664555668831f) * _S297 * _S297 - 0.5f * _S297 + 1.0f;
-    var _S300 : u32 = (u32(i32(_S295)) & (u32(3)));
-    var _S301 : vec2<f32> = select_vector_1(((_S300 & (u32(1)))) != u32(0), vec2<f32>(_S299, _S298), vec2<f32>(_S298, _S299));
-    var _S302 : f32 = _S301.x;
-    var _S303 : f32 = _S301.y;
-    return vec2<f32>(select(_S302, - _S302, ((_S300 & (u32(2)))) != u32(0)), select(_S303, - _S303, (((_S300 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S299 : f32 = floor(x_7 * 0.63661974668502808f + 0.5f);
+    var _S300 : f32 = x_7 - _S299 * 1.5703125f - _S299 * 0.00048375129699707f - _S299 * 7.54979012640433211e-08f;
+    var _S301 : f32 = _S300 * _S300;
+    var _S302 : f32 = ((-0.00019515295571182f * _S301 + 0.00833216123282909f) * _S301 - 0.16666655242443085f) * _S301 * _S300 + _S300;
+    var _S303 : f32 = ((0.00002443315679557f * _S301 - 0.00138873164542019f) * _S301 + 0.04166664555668831f) * _S301 * _S301 - 0.5f * _S301 + 1.0f;
+    var _S304 : u32 = (u32(i32(_S299)) & (u32(3)));
+    var _S305 : vec2<f32> = select_vector_1(((_S304 & (u32(1)))) != u32(0), vec2<f32>(_S303, _S302), vec2<f32>(_S302, _S303));
+    var _S306 : f32 = _S305.x;
+    var _S307 : f32 = _S305.y;
+    return vec2<f32>(select(_S306, - _S306, ((_S304 & (u32(2)))) != u32(0)), select(_S307, - _S307, (((_S304 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 struct Light_0
@@ -1665,15 +1681,15 @@ struct ViewedBase_0
 fn base_taps_0( seen_0 : ViewedBase_0,  light_2 : vec3<f32>) -> BaseTaps_0
 {
     var taps_1 : BaseTaps_0;
-    var _S304 : vec3<f32> = to_face_frame_0(light_2, seen_0.back_6);
-    taps_1.facing_0 = _S304;
-    var _S305 : f32 = _S304.z;
-    var _S306 : bool = _S305 < 0.0f;
-    taps_1.transmits_1 = _S306;
-    taps_1.around_0 = bin_taps_0(vec3<f32>(_S304.xy, abs(_S305)), u32(32));
-    taps_1.first_11 = (seen_0.face_6 * u32(2) + select(u32(0), u32(1), _S306)) * u32(1024);
-    var _S307 : vec3<f32> = _S304 + seen_0.view_4;
-    var half_vector_1 : vec3<f32> = _S307 * vec3<f32>((1.0f / sqrt(max(square_0(_S307), 9.999999960041972e-13f))));
+    var _S308 : vec3<f32> = to_face_frame_0(light_2, seen_0.back_6);
+    taps_1.facing_0 = _S308;
+    var _S309 : f32 = _S308.z;
+    var _S310 : bool = _S309 < 0.0f;
+    taps_1.transmits_1 = _S310;
+    taps_1.around_0 = bin_taps_0(vec3<f32>(_S308.xy, abs(_S309)), u32(32));
+    taps_1.first_11 = (seen_0.face_6 * u32(2) + select(u32(0), u32(1), _S310)) * u32(1024);
+    var _S311 : vec3<f32> = _S308 + seen_0.view_4;
+    var half_vector_1 : vec3<f32> = _S311 * vec3<f32>((1.0f / sqrt(max(square_0(_S311), 9.999999960041972e-13f))));
     taps_1.half_vector_0 = bin_taps_0(select_vector_2((half_vector_1.z) < 0.0f, (vec3<f32>(0) - half_vector_1), half_vector_1), u32(32));
     return taps_1;
 }
@@ -1702,14 +1718,14 @@ fn no_components_0() -> Components_0
 
 fn clustered_cosine_0( taps_2 : BaseTaps_0,  normal_1 : vec3<f32>) -> f32
 {
-    var _S308 : f32 = 0.0078740157186985f * dot(normal_1, taps_2.facing_0);
-    return select(_S308, - _S308, taps_2.transmits_1);
+    var _S312 : f32 = 0.0078740157186985f * dot(normal_1, taps_2.facing_0);
+    return select(_S312, - _S312, taps_2.transmits_1);
 }
 
 fn projected_area_1( direction_4 : vec3<f32>,  tangent_0 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S309 : f32 = dot(direction_4, tangent_0);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S309 * _S309 + 1.0f, roughness_1 * roughness_1));
+    var _S313 : f32 = dot(direction_4, tangent_0);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S313 * _S313 + 1.0f, roughness_1 * roughness_1));
 }
 
 fn of_family_0( is_warp_0 : bool,  diffuse_0 : f32,  specular_0 : f32,  light_visibility_2 : f32) -> Components_0
@@ -1723,28 +1739,28 @@ fn of_family_0( is_warp_0 : bool,  diffuse_0 : f32,  specular_0 : f32,  light_vi
     return result_4;
 }
 
-fn with_added_0( sums_6 : Components_0,  more_0 : Components_0,  weight_7 : f32) -> Components_0
+fn with_added_0( sums_6 : Components_0,  more_0 : Components_0,  weight_6 : f32) -> Components_0
 {
     var result_5 : Components_0;
-    result_5.diffuse_warp_0 = sums_6.diffuse_warp_0 + weight_7 * more_0.diffuse_warp_0;
-    result_5.diffuse_weft_0 = sums_6.diffuse_weft_0 + weight_7 * more_0.diffuse_weft_0;
-    result_5.specular_warp_0 = sums_6.specular_warp_0 + weight_7 * more_0.specular_warp_0;
-    result_5.specular_weft_0 = sums_6.specular_weft_0 + weight_7 * more_0.specular_weft_0;
-    result_5.light_visibility_1 = sums_6.light_visibility_1 + weight_7 * more_0.light_visibility_1;
-    result_5.hole_0 = sums_6.hole_0 + weight_7 * more_0.hole_0;
+    result_5.diffuse_warp_0 = sums_6.diffuse_warp_0 + weight_6 * more_0.diffuse_warp_0;
+    result_5.diffuse_weft_0 = sums_6.diffuse_weft_0 + weight_6 * more_0.diffuse_weft_0;
+    result_5.specular_warp_0 = sums_6.specular_warp_0 + weight_6 * more_0.specular_warp_0;
+    result_5.specular_weft_0 = sums_6.specular_weft_0 + weight_6 * more_0.specular_weft_0;
+    result_5.light_visibility_1 = sums_6.light_visibility_1 + weight_6 * more_0.light_visibility_1;
+    result_5.hole_0 = sums_6.hole_0 + weight_6 * more_0.hole_0;
     return result_5;
 }
 
 fn fourth_power_0( value_1 : f32) -> f32
 {
-    var _S310 : f32 = value_1 * value_1;
-    return _S310 * _S310;
+    var _S314 : f32 = value_1 * value_1;
+    return _S314 * _S314;
 }
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_3 : vec3<f32>,  view_5 : vec3<f32>) -> vec3<f32>
 {
-    var _S311 : f32 = light_3.z;
-    return select_vector_2((_S311 * view_5.z) < 0.0f, bounced_1.transmitted_2, bounced_1.reflected_2) * vec3<f32>((abs(_S311) * 0.31830987334251404f));
+    var _S315 : f32 = light_3.z;
+    return select_vector_2((_S315 * view_5.z) < 0.0f, bounced_1.transmitted_2, bounced_1.reflected_2) * vec3<f32>((abs(_S315) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_9 : f32,  y_3 : f32) -> f32
@@ -1764,33 +1780,33 @@ fn sheen_reflectance_0( x_11 : f32,  y_5 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_2 : f32) -> vec3<f32>
 {
-    var _S312 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S313 : f32 = 2.0f * sqrt(_S312) - 1.0f;
-    var _S314 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_2, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S313, _S314), 0.00999999977648258f, 1.0f), clamp((1.0f - _S312) * sheen_shear_0(_S313, _S314), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S313, _S314), -60.0f, 60.0f))));
+    var _S316 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S317 : f32 = 2.0f * sqrt(_S316) - 1.0f;
+    var _S318 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_2, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S317, _S318), 0.00999999977648258f, 1.0f), clamp((1.0f - _S316) * sheen_shear_0(_S317, _S318), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S317, _S318), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_4 : vec3<f32>,  view_6 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S315 : f32 = light_4.z;
-    if(((_S315 <= 0.0f) | (((view_6.z) <= 0.0f))))
+    var _S319 : f32 = light_4.z;
+    if(((_S319 <= 0.0f) | (((view_6.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S316 : vec2<f32> = view_6.xy;
-    var _S317 : f32 = dot(_S316, _S316);
-    var _S318 : vec2<f32> = select_vector_1(_S317 > 9.99999968265522539e-21f, _S316 * vec2<f32>(rsqrt_0(max(_S317, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S319 : f32 = scale_0 * dot(light_4.xy, _S318) + shear_0 * _S315;
-    var _S320 : f32 = scale_0 * (light_4.y * _S318.x - light_4.x * _S318.y);
-    var _S321 : f32 = _S319 * _S319 + _S320 * _S320 + _S315 * _S315;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S315 / max(_S321 * _S321, 9.99999968265522539e-21f);
+    var _S320 : vec2<f32> = view_6.xy;
+    var _S321 : f32 = dot(_S320, _S320);
+    var _S322 : vec2<f32> = select_vector_1(_S321 > 9.99999968265522539e-21f, _S320 * vec2<f32>(rsqrt_0(max(_S321, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S323 : f32 = scale_0 * dot(light_4.xy, _S322) + shear_0 * _S319;
+    var _S324 : f32 = scale_0 * (light_4.y * _S322.x - light_4.x * _S322.y);
+    var _S325 : f32 = _S323 * _S323 + _S324 * _S324 + _S319 * _S319;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S319 / max(_S325 * _S325, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_5 : vec3<f32>,  view_7 : vec3<f32>,  strength_0 : f32,  roughness_3 : f32) -> vec2<f32>
 {
-    var _S322 : vec3<f32> = sheen_lobe_0(view_7.z, roughness_3);
-    var _S323 : f32 = strength_0 * _S322.z;
-    return vec2<f32>(_S323 * transformed_cosine_0(light_5, view_7, _S322.x, _S322.y), 1.0f - _S323);
+    var _S326 : vec3<f32> = sheen_lobe_0(view_7.z, roughness_3);
+    var _S327 : f32 = strength_0 * _S326.z;
+    return vec2<f32>(_S327 * transformed_cosine_0(light_5, view_7, _S326.x, _S326.y), 1.0f - _S327);
 }
 
 fn table_byte_0( table_2 : u32,  index_7 : u32) -> u32
@@ -1800,16 +1816,16 @@ fn table_byte_0( table_2 : u32,  index_7 : u32) -> u32
 
 fn gaussian_visibility_0( row_5 : u32,  towards_0 : vec3<f32>) -> f32
 {
-    var _S324 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(3)), table_number_0(row_5 + u32(4)), table_number_0(row_5 + u32(5))));
-    var _S325 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(6)), table_number_0(row_5 + u32(7)), table_number_0(row_5 + u32(8))));
-    return min(max(dot(towards_0, vec3<f32>(table_number_0(row_5), table_number_0(row_5 + u32(1)), table_number_0(row_5 + u32(2)))), 0.0f) * exponential_0(- (_S324 * _S324 + _S325 * _S325)), 1.0f);
+    var _S328 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(3)), table_number_0(row_5 + u32(4)), table_number_0(row_5 + u32(5))));
+    var _S329 : f32 = dot(towards_0, vec3<f32>(table_number_0(row_5 + u32(6)), table_number_0(row_5 + u32(7)), table_number_0(row_5 + u32(8))));
+    return min(max(dot(towards_0, vec3<f32>(table_number_0(row_5), table_number_0(row_5 + u32(1)), table_number_0(row_5 + u32(2)))), 0.0f) * exponential_0(- (_S328 * _S328 + _S329 * _S329)), 1.0f);
 }
 
 fn accumulate_0( index_8 : u32,  light_6 : vec4<f32>)
 {
-    var _S326 : f32 = layers_0[index_8].share_0;
+    var _S330 : f32 = layers_0[index_8].share_0;
     radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_6;
-    layers_0[index_8].share_0 = _S326 * (1.0f - light_6.w);
+    layers_0[index_8].share_0 = _S330 * (1.0f - light_6.w);
     return;
 }
 
@@ -1833,152 +1849,152 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S327 : u32,  _S328 : u32,  _S329 : u32,  _S330 : vec2<f32>) -> f32
+fn uneven_shift_0( _S331 : u32,  _S332 : u32,  _S333 : u32,  _S334 : vec2<f32>) -> f32
 {
-    var _S331 : f32 = families_0[_S329].period_0 / families_0[_S329].count_0;
-    var _S332 : u32 = hash_key_0(_S328, ((fabrics_0[_S327].seed_0) ^ (u32(625341585))));
-    var _S333 : vec2<f32> = vec2<f32>(_S330.x, _S330.y / 4.0f) / vec2<f32>(_S331);
-    return 0.20000000298023224f * sqrt(families_0[_S329].slub_0) * _S331 * (uneven_octave_0(_S332, _S333) * 0.66666668653488159f + uneven_octave_0(_S332 + u32(1), vec2<f32>(2.0f) * _S333 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S335 : f32 = families_0[_S333].period_0 / families_0[_S333].count_0;
+    var _S336 : u32 = hash_key_0(_S332, ((fabrics_0[_S331].seed_0) ^ (u32(625341585))));
+    var _S337 : vec2<f32> = vec2<f32>(_S334.x, _S334.y / 4.0f) / vec2<f32>(_S335);
+    return 0.20000000298023224f * sqrt(families_0[_S333].slub_0) * _S335 * (uneven_octave_0(_S336, _S337) * 0.66666668653488159f + uneven_octave_0(_S336 + u32(1), vec2<f32>(2.0f) * _S337 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S334 : u32,  _S335 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S338 : u32,  _S339 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_1((fabrics_0[_S334].has_detail_0) == u32(0), _S335, _S335 + vec2<f32>(uneven_shift_0(_S334, u32(0), fabrics_0[_S334].warp_0, _S335), uneven_shift_0(_S334, u32(1), fabrics_0[_S334].weft_0, _S335.yx)));
+    return select_vector_1((fabrics_0[_S338].has_detail_0) == u32(0), _S339, _S339 + vec2<f32>(uneven_shift_0(_S338, u32(0), fabrics_0[_S338].warp_0, _S339), uneven_shift_0(_S338, u32(1), fabrics_0[_S338].weft_0, _S339.yx)));
 }
 
-fn face_point_0( _S336 : u32,  _S337 : u32,  _S338 : f32,  _S339 : f32) -> VisiblePoint_0
+fn face_point_0( _S340 : u32,  _S341 : u32,  _S342 : f32,  _S343 : f32) -> VisiblePoint_0
 {
-    var _S340 : u32 = u32(3) * _S337;
-    var _S341 : Vertex_0 = vertex_at_0(_S340);
-    var _S342 : Vertex_0 = vertex_at_0(_S340 + u32(1));
-    var _S343 : Vertex_0 = vertex_at_0(_S340 + u32(2));
-    var _S344 : vec3<f32> = position_of_0(_S341);
-    var _S345 : vec3<f32> = position_of_0(_S342) - _S344;
-    var _S346 : vec3<f32> = position_of_0(_S343) - _S344;
-    var _S347 : f32 = _S342.u_0 - _S341.u_0;
-    var _S348 : f32 = _S342.v_0 - _S341.v_0;
-    var _S349 : vec2<f32> = vec2<f32>(_S347, _S348);
-    var _S350 : f32 = _S343.u_0 - _S341.u_0;
-    var _S351 : f32 = _S343.v_0 - _S341.v_0;
-    var _S352 : vec2<f32> = vec2<f32>(_S350, _S351);
-    var _S353 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S347 * _S351 - _S348 * _S350) < 0.0f));
-    var _S354 : vec3<f32> = _S353 * (vec3<f32>(_S351) * _S345 - vec3<f32>(_S348) * _S346);
-    var _S355 : vec3<f32> = _S353 * (vec3<f32>(_S347) * _S346 - vec3<f32>(_S350) * _S345);
+    var _S344 : u32 = u32(3) * _S341;
+    var _S345 : Vertex_0 = vertex_at_0(_S344);
+    var _S346 : Vertex_0 = vertex_at_0(_S344 + u32(1));
+    var _S347 : Vertex_0 = vertex_at_0(_S344 + u32(2));
+    var _S348 : vec3<f32> = position_of_0(_S345);
+    var _S349 : vec3<f32> = position_of_0(_S346) - _S348;
+    var _S350 : vec3<f32> = position_of_0(_S347) - _S348;
+    var _S351 : f32 = _S346.u_0 - _S345.u_0;
+    var _S352 : f32 = _S346.v_0 - _S345.v_0;
+    var _S353 : vec2<f32> = vec2<f32>(_S351, _S352);
+    var _S354 : f32 = _S347.u_0 - _S345.u_0;
+    var _S355 : f32 = _S347.v_0 - _S345.v_0;
+    var _S356 : vec2<f32> = vec2<f32>(_S354, _S355);
+    var _S357 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S351 * _S355 - _S352 * _S354) < 0.0f));
+    var _S358 : vec3<f32> = _S357 * (vec3<f32>(_S355) * _S349 - vec3<f32>(_S352) * _S350);
+    var _S359 : vec3<f32> = _S357 * (vec3<f32>(_S351) * _S350 - vec3<f32>(_S354) * _S349);
     var point_1 : VisiblePoint_0;
-    var _S356 : vec3<f32> = vec3<f32>(_S338);
-    var _S357 : vec3<f32> = vec3<f32>(_S339);
-    var _S358 : vec3<f32> = normalize(vec3<f32>((1.0f - _S338 - _S339)) * normal_of_0(_S341) + _S356 * normal_of_0(_S342) + _S357 * normal_of_0(_S343));
-    point_1.normal_0 = _S358;
-    var _S359 : vec3<f32> = normalize(_S354 - _S358 * vec3<f32>(dot(_S358, _S354)));
-    point_1.axis_x_0 = _S359;
-    point_1.axis_y_0 = cross(_S358, _S359);
-    var _S360 : vec3<f32> = normalize(cross(_S345, _S346));
-    point_1.face_normal_0 = select_vector_2((dot(_S360, _S358)) < 0.0f, (vec3<f32>(0) - _S360), _S360);
-    point_1.position_4 = _S344 + _S356 * _S345 + _S357 * _S346;
-    point_1.view_0 = _S358;
-    var _S361 : vec2<f32> = vec2<f32>(_S341.u_0, _S341.v_0) + vec2<f32>(_S338) * _S349 + vec2<f32>(_S339) * _S352;
-    point_1.uv_1 = _S361;
-    var _S362 : bool = (dot(cross(_S354, _S355), _S358)) < 0.0f;
-    var _S363 : vec2<f32> = vec2<f32>(fabrics_0[_S336].uv_width_0, select(fabrics_0[_S336].uv_height_0, - fabrics_0[_S336].uv_height_0, _S362));
-    point_1.draft_per_uv_0 = _S363;
-    point_1.draft_0 = uneven_place_0(_S336, _S361 * _S363 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S336].uv_height_0, _S362)));
-    var _S364 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S364;
-    point_1.draft_dy_0 = _S364;
+    var _S360 : vec3<f32> = vec3<f32>(_S342);
+    var _S361 : vec3<f32> = vec3<f32>(_S343);
+    var _S362 : vec3<f32> = normalize(vec3<f32>((1.0f - _S342 - _S343)) * normal_of_0(_S345) + _S360 * normal_of_0(_S346) + _S361 * normal_of_0(_S347));
+    point_1.normal_0 = _S362;
+    var _S363 : vec3<f32> = normalize(_S358 - _S362 * vec3<f32>(dot(_S362, _S358)));
+    point_1.axis_x_0 = _S363;
+    point_1.axis_y_0 = cross(_S362, _S363);
+    var _S364 : vec3<f32> = normalize(cross(_S349, _S350));
+    point_1.face_normal_0 = select_vector_2((dot(_S364, _S362)) < 0.0f, (vec3<f32>(0) - _S364), _S364);
+    point_1.position_4 = _S348 + _S360 * _S349 + _S361 * _S350;
+    point_1.view_0 = _S362;
+    var _S365 : vec2<f32> = vec2<f32>(_S345.u_0, _S345.v_0) + vec2<f32>(_S342) * _S353 + vec2<f32>(_S343) * _S356;
+    point_1.uv_1 = _S365;
+    var _S366 : bool = (dot(cross(_S358, _S359), _S362)) < 0.0f;
+    var _S367 : vec2<f32> = vec2<f32>(fabrics_0[_S340].uv_width_0, select(fabrics_0[_S340].uv_height_0, - fabrics_0[_S340].uv_height_0, _S366));
+    point_1.draft_per_uv_0 = _S367;
+    point_1.draft_0 = uneven_place_0(_S340, _S365 * _S367 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S340].uv_height_0, _S366)));
+    var _S368 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S368;
+    point_1.draft_dy_0 = _S368;
     return point_1;
 }
 
-fn visible_point_0( _S365 : u32,  _S366 : u32,  _S367 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S369 : u32,  _S370 : u32,  _S371 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S368 : u32 = u32(3) * _S366;
-    var _S369 : Vertex_0 = vertex_at_0(_S368);
-    var _S370 : Vertex_0 = vertex_at_0(_S368 + u32(1));
-    var _S371 : Vertex_0 = vertex_at_0(_S368 + u32(2));
-    var _S372 : vec3<f32> = position_of_0(_S369);
-    var _S373 : vec3<f32> = position_of_0(_S370) - _S372;
-    var _S374 : vec3<f32> = position_of_0(_S371) - _S372;
-    var _S375 : vec3<f32> = cross(_S373, _S374);
-    var _S376 : f32 = f32(frame_record_0.width_0);
-    var _S377 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S376));
-    var _S378 : f32 = f32(frame_record_0.height_0);
-    var _S379 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S378));
-    var _S380 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S367.x) + 0.5f - 0.5f * _S376)) * _S377 + vec3<f32>((f32(_S367.y) + 0.5f - 0.5f * _S378)) * _S379;
-    var _S381 : f32 = dot(_S380, _S375);
-    var _S382 : f32 = 1.0f / select(1.00000000317107685e-30f, _S381, (abs(_S381)) > 1.00000000317107685e-30f);
-    var _S383 : vec3<f32> = _S372 - camera_origin_0();
-    var _S384 : vec3<f32> = vec3<f32>((dot(_S383, _S375) * _S382));
-    var _S385 : vec3<f32> = _S380 * _S384 - _S383;
-    var _S386 : vec3<f32> = _S384 * (_S377 - _S380 * vec3<f32>((dot(_S377, _S375) * _S382)));
-    var _S387 : vec3<f32> = _S384 * (_S379 - _S380 * vec3<f32>((dot(_S379, _S375) * _S382)));
-    var _S388 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S375), 1.00000000317107685e-30f)));
-    var _S389 : vec3<f32> = cross(_S374, _S375) * _S388;
-    var _S390 : vec3<f32> = cross(_S375, _S373) * _S388;
-    var _S391 : vec2<f32> = vec2<f32>(_S370.u_0 - _S369.u_0, _S370.v_0 - _S369.v_0);
-    var _S392 : vec2<f32> = vec2<f32>(_S371.u_0 - _S369.u_0, _S371.v_0 - _S369.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S365, _S366, dot(_S385, _S389), dot(_S385, _S390));
-    point_2.position_4 = _S372 + _S385;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S380));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S386, _S389)) * _S391 + vec2<f32>(dot(_S386, _S390)) * _S392) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S387, _S389)) * _S391 + vec2<f32>(dot(_S387, _S390)) * _S392) * point_2.draft_per_uv_0;
+    var _S372 : u32 = u32(3) * _S370;
+    var _S373 : Vertex_0 = vertex_at_0(_S372);
+    var _S374 : Vertex_0 = vertex_at_0(_S372 + u32(1));
+    var _S375 : Vertex_0 = vertex_at_0(_S372 + u32(2));
+    var _S376 : vec3<f32> = position_of_0(_S373);
+    var _S377 : vec3<f32> = position_of_0(_S374) - _S376;
+    var _S378 : vec3<f32> = position_of_0(_S375) - _S376;
+    var _S379 : vec3<f32> = cross(_S377, _S378);
+    var _S380 : f32 = f32(frame_record_0.width_0);
+    var _S381 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S380));
+    var _S382 : f32 = f32(frame_record_0.height_0);
+    var _S383 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S382));
+    var _S384 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S371.x) + 0.5f - 0.5f * _S380)) * _S381 + vec3<f32>((f32(_S371.y) + 0.5f - 0.5f * _S382)) * _S383;
+    var _S385 : f32 = dot(_S384, _S379);
+    var _S386 : f32 = 1.0f / select(1.00000000317107685e-30f, _S385, (abs(_S385)) > 1.00000000317107685e-30f);
+    var _S387 : vec3<f32> = _S376 - camera_origin_0();
+    var _S388 : vec3<f32> = vec3<f32>((dot(_S387, _S379) * _S386));
+    var _S389 : vec3<f32> = _S384 * _S388 - _S387;
+    var _S390 : vec3<f32> = _S388 * (_S381 - _S384 * vec3<f32>((dot(_S381, _S379) * _S386)));
+    var _S391 : vec3<f32> = _S388 * (_S383 - _S384 * vec3<f32>((dot(_S383, _S379) * _S386)));
+    var _S392 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S379), 1.00000000317107685e-30f)));
+    var _S393 : vec3<f32> = cross(_S378, _S379) * _S392;
+    var _S394 : vec3<f32> = cross(_S379, _S377) * _S392;
+    var _S395 : vec2<f32> = vec2<f32>(_S374.u_0 - _S373.u_0, _S374.v_0 - _S373.v_0);
+    var _S396 : vec2<f32> = vec2<f32>(_S375.u_0 - _S373.u_0, _S375.v_0 - _S373.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S369, _S370, dot(_S389, _S393), dot(_S389, _S394));
+    point_2.position_4 = _S376 + _S389;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S384));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S390, _S393)) * _S395 + vec2<f32>(dot(_S390, _S394)) * _S396) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S391, _S393)) * _S395 + vec2<f32>(dot(_S391, _S394)) * _S396) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S393 : u32,  _S394 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S397 : u32,  _S398 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S395 : u32 = fabrics_0[_S393].albedo_map_levels_0;
-    if((fabrics_0[_S393].albedo_map_levels_0) == u32(0))
+    var _S399 : u32 = fabrics_0[_S397].albedo_map_levels_0;
+    if((fabrics_0[_S397].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S396 : vec2<f32> = vec2<f32>(fabrics_0[_S393].uv_width_0, fabrics_0[_S393].uv_height_0);
-    var _S397 : vec2<f32> = _S394.draft_dx_0 / _S396;
-    var _S398 : vec2<f32> = _S394.draft_dy_0 / _S396;
-    var _S399 : u32 = _S395 - u32(1);
-    var _S400 : u32 = (u32(1) << (_S399));
-    var _S401 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S397.x * _S398.y - _S397.y * _S398.x), 9.99999968265522539e-21f) * (square_1(f32(_S400)) / 3.0f)), 0.0f, f32(_S395) - 1.0f);
-    var _S402 : u32 = min(u32(_S401), max(_S395, u32(2)) - u32(2));
-    var _S403 : u32 = min(_S402 + u32(1), _S399);
-    var _S404 : u32 = (u32(1) << ((u32(2) * _S395)));
-    return mix(map_level_0(fabrics_0[_S393].albedo_map_0 + (_S404 - ((_S404 >> ((u32(2) * _S402))))) / u32(3), (_S400 >> (_S402)), _S394.uv_1), map_level_0(fabrics_0[_S393].albedo_map_0 + (_S404 - ((_S404 >> ((u32(2) * _S403))))) / u32(3), (_S400 >> (_S403)), _S394.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S401 - f32(_S402))) - 1.0f) / 3.0f)));
+    var _S400 : vec2<f32> = vec2<f32>(fabrics_0[_S397].uv_width_0, fabrics_0[_S397].uv_height_0);
+    var _S401 : vec2<f32> = _S398.draft_dx_0 / _S400;
+    var _S402 : vec2<f32> = _S398.draft_dy_0 / _S400;
+    var _S403 : u32 = _S399 - u32(1);
+    var _S404 : u32 = (u32(1) << (_S403));
+    var _S405 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S401.x * _S402.y - _S401.y * _S402.x), 9.99999968265522539e-21f) * (square_1(f32(_S404)) / 3.0f)), 0.0f, f32(_S399) - 1.0f);
+    var _S406 : u32 = min(u32(_S405), max(_S399, u32(2)) - u32(2));
+    var _S407 : u32 = min(_S406 + u32(1), _S403);
+    var _S408 : u32 = (u32(1) << ((u32(2) * _S399)));
+    return mix(map_level_0(fabrics_0[_S397].albedo_map_0 + (_S408 - ((_S408 >> ((u32(2) * _S406))))) / u32(3), (_S404 >> (_S406)), _S398.uv_1), map_level_0(fabrics_0[_S397].albedo_map_0 + (_S408 - ((_S408 >> ((u32(2) * _S407))))) / u32(3), (_S404 >> (_S407)), _S398.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S405 - f32(_S406))) - 1.0f) / 3.0f)));
 }
 
-fn is_layered_0( _S405 : u32) -> bool
+fn is_layered_0( _S409 : u32) -> bool
 {
-    return (HAS_LAYERS_0 & (((fabrics_0[_S405].planes_0) != u32(0))));
+    return (HAS_LAYERS_0 & (((fabrics_0[_S409].planes_0) != u32(0))));
 }
 
-fn irregular_key_0( _S406 : u32,  _S407 : u32) -> u32
+fn irregular_key_0( _S410 : u32,  _S411 : u32) -> u32
 {
-    return hash_key_0(_S407, ((fabrics_0[_S406].seed_0) ^ (u32(1821285621))));
+    return hash_key_0(_S411, ((fabrics_0[_S410].seed_0) ^ (u32(1821285621))));
 }
 
-fn irregular_place_0( _S408 : u32,  _S409 : vec2<f32>,  _S410 : f32) -> vec2<f32>
+fn irregular_place_0( _S412 : u32,  _S413 : vec2<f32>,  _S414 : f32) -> vec2<f32>
 {
-    var _S411 : u32 = fabrics_0[_S408].warp_0;
-    var _S412 : u32 = fabrics_0[_S408].weft_0;
-    var _S413 : bool = (((((fabrics_0[_S408].is_irregular_0) != u32(0)) & ((!is_layered_0(_S408))))) & (((max(moved_share_0(fabrics_0[_S408].warp_0, _S410), moved_share_0(fabrics_0[_S408].weft_0, _S410))) > 0.0f)));
+    var _S415 : u32 = fabrics_0[_S412].warp_0;
+    var _S416 : u32 = fabrics_0[_S412].weft_0;
+    var _S417 : bool = (((((fabrics_0[_S412].is_irregular_0) != u32(0)) & ((!is_layered_0(_S412))))) & (((max(moved_share_0(fabrics_0[_S412].warp_0, _S414), moved_share_0(fabrics_0[_S412].weft_0, _S414))) > 0.0f)));
     var number_7 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S409;
+    var moved_0 : vec2<f32> = _S413;
     for(;;)
     {
-        if(number_7 < select(u32(0), u32(2), _S413))
+        if(number_7 < select(u32(0), u32(2), _S417))
         {
         }
         else
         {
             break;
         }
-        var _S414 : bool = number_7 == u32(0);
-        var _S415 : u32 = select(_S412, _S411, _S414);
-        var _S416 : vec2<f32> = select_vector_1(_S414, _S409, _S409.yx);
-        var _S417 : u32 = irregular_key_0(_S408, number_7);
-        var _S418 : f32 = _S416.x;
-        var _S419 : Cell_0 = locate_0(_S415, _S418);
-        var _S420 : f32 = irregular_thread_0(_S415, _S418, _S419);
-        var _S421 : f32 = select(1.0f, -1.0f, (_S419.across_0) < 0.0f);
-        var _S422 : vec2<f32> = vec2<f32>(0.0f);
-        var other_1 : vec2<f32> = _S422;
-        var own_1 : vec2<f32> = _S422;
+        var _S418 : bool = number_7 == u32(0);
+        var _S419 : u32 = select(_S416, _S415, _S418);
+        var _S420 : vec2<f32> = select_vector_1(_S418, _S413, _S413.yx);
+        var _S421 : u32 = irregular_key_0(_S412, number_7);
+        var _S422 : f32 = _S420.x;
+        var _S423 : Cell_0 = locate_0(_S419, _S422);
+        var _S424 : f32 = irregular_thread_0(_S419, _S422, _S423);
+        var _S425 : f32 = select(1.0f, -1.0f, (_S423.across_0) < 0.0f);
+        var _S426 : vec2<f32> = vec2<f32>(0.0f);
+        var other_1 : vec2<f32> = _S426;
+        var own_1 : vec2<f32> = _S426;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -1989,23 +2005,23 @@ fn irregular_place_0( _S408 : u32,  _S409 : vec2<f32>,  _S410 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S423 : vec2<f32> = irregular_at_0(_S415, _S417, _S420 + _S421 * f32(neighbour_0), _S416.y).xy;
-            var _S424 : u32 = neighbour_0 + u32(1);
+            var _S427 : vec2<f32> = irregular_at_0(_S419, _S421, _S424 + _S425 * f32(neighbour_0), _S420.y).xy;
+            var _S428 : u32 = neighbour_0 + u32(1);
             own_1 = other_1;
-            other_1 = _S423;
-            neighbour_0 = _S424;
+            other_1 = _S427;
+            neighbour_0 = _S428;
         }
-        var _S425 : f32 = _S419.below_0 + _S419.above_0;
-        var _S426 : f32 = min(_S419.half_width_1 / _S425, 0.5f);
-        var _S427 : f32 = min(_S426 * (2.0f + own_1.y + other_1.y), 1.0f);
-        var _S428 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_1.x), vec2<f32>(0.25f)));
-        var _S429 : f32 = _S428.x;
-        var _S430 : f32 = _S427 * _S429 / (_S429 + _S428.y);
-        var _S431 : f32 = abs(_S419.across_0) / _S425;
-        var _S432 : f32 = 1.0f - _S427;
-        var _S433 : f32 = _S431 - _S430;
-        var _S434 : f32 = moved_share_0(_S415, _S410) * _S421 * _S425 * (select(select((_S433 - _S432) / max(_S427 - _S430, 9.99999997475242708e-07f) * _S426 + (1.0f - _S426), _S433 / max(_S432, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S426) + _S426, _S433 < _S432), _S431 * _S426 / _S430, _S433 < 0.0f) - _S431);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S414, vec2<f32>(_S434, 0.0f), vec2<f32>(0.0f, _S434));
+        var _S429 : f32 = _S423.below_0 + _S423.above_0;
+        var _S430 : f32 = min(_S423.half_width_1 / _S429, 0.5f);
+        var _S431 : f32 = min(_S430 * (2.0f + own_1.y + other_1.y), 1.0f);
+        var _S432 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_1.x, other_1.x), vec2<f32>(0.25f)));
+        var _S433 : f32 = _S432.x;
+        var _S434 : f32 = _S431 * _S433 / (_S433 + _S432.y);
+        var _S435 : f32 = abs(_S423.across_0) / _S429;
+        var _S436 : f32 = 1.0f - _S431;
+        var _S437 : f32 = _S435 - _S434;
+        var _S438 : f32 = moved_share_0(_S419, _S414) * _S425 * _S429 * (select(select((_S437 - _S436) / max(_S431 - _S434, 9.99999997475242708e-07f) * _S430 + (1.0f - _S430), _S437 / max(_S436, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S430) + _S430, _S437 < _S436), _S435 * _S430 / _S434, _S437 < 0.0f) - _S435);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S418, vec2<f32>(_S438, 0.0f), vec2<f32>(0.0f, _S438));
         number_7 = number_7 + u32(1);
         moved_0 = moved_1;
     }
@@ -2023,104 +2039,104 @@ struct ClusteredView_0
      view_8 : vec3<f32>,
 };
 
-fn viewed_base_0( _S435 : u32,  _S436 : Footprint_0,  _S437 : vec3<f32>,  _S438 : f32) -> ViewedBase_0
+fn viewed_base_0( _S439 : u32,  _S440 : Footprint_0,  _S441 : vec3<f32>,  _S442 : f32) -> ViewedBase_0
 {
     var seen_1 : ViewedBase_0;
-    var _S439 : bool = (_S437.z) < 0.0f;
-    seen_1.back_6 = _S439;
-    var _S440 : vec3<f32> = to_face_frame_0(_S437, _S439);
-    seen_1.view_4 = _S440;
-    var _S441 : u32 = select(u32(0), u32(1), _S439);
-    seen_1.face_6 = _S441;
-    var _S442 : Clustered_std430_0 = fabrics_0[_S435].clustered_0;
-    var _S443 : f32 = _S438 - 0.5f;
-    var _S444 : TexelBox_0 = texel_box_0(&(_S442), _S436, vec2<f32>(0.0f), _S443);
-    var _S445 : vec2<f32> = parallax_offset_0(&(_S442), _S444, _S441, _S440);
-    var _S446 : TexelBox_0 = texel_box_0(&(_S442), _S436, _S445, _S443);
-    seen_1.box_5 = _S446;
+    var _S443 : bool = (_S441.z) < 0.0f;
+    seen_1.back_6 = _S443;
+    var _S444 : vec3<f32> = to_face_frame_0(_S441, _S443);
+    seen_1.view_4 = _S444;
+    var _S445 : u32 = select(u32(0), u32(1), _S443);
+    seen_1.face_6 = _S445;
+    var _S446 : Clustered_std430_0 = fabrics_0[_S439].clustered_0;
+    var _S447 : f32 = _S442 - 0.5f;
+    var _S448 : TexelBox_0 = texel_box_0(&(_S446), _S440, vec2<f32>(0.0f), _S447);
+    var _S449 : vec2<f32> = parallax_offset_0(&(_S446), _S448, _S445, _S444);
+    var _S450 : TexelBox_0 = texel_box_0(&(_S446), _S440, _S449, _S447);
+    seen_1.box_5 = _S450;
     return seen_1;
 }
 
-fn texel_hole_0( _S447 : u32,  _S448 : ViewedBase_0) -> f32
+fn texel_hole_0( _S451 : u32,  _S452 : ViewedBase_0) -> f32
 {
     var cluster_0 : u32 = u32(0);
     var covered_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S449 : Clustered_std430_0 = fabrics_0[_S447].clustered_0;
-        if(cluster_0 < (_S449.clusters_0))
+        var _S453 : Clustered_std430_0 = fabrics_0[_S451].clustered_0;
+        if(cluster_0 < (_S453.clusters_0))
         {
         }
         else
         {
             break;
         }
-        var _S450 : f32 = box_mean_0(&(_S449), _S448.box_5, _S448.face_6, cluster_0);
-        var covered_1 : f32 = covered_0 + _S450;
+        var _S454 : f32 = box_mean_0(&(_S453), _S452.box_5, _S452.face_6, cluster_0);
+        var covered_1 : f32 = covered_0 + _S454;
         cluster_0 = cluster_0 + u32(1);
         covered_0 = covered_1;
     }
     return clamp(1.0f - covered_0, 0.0f, 1.0f);
 }
 
-fn yarns_over_0( _S451 : u32,  _S452 : Footprint_0,  _S453 : bool) -> Yarns_0
+fn yarns_over_0( _S455 : u32,  _S456 : Footprint_0,  _S457 : bool) -> Yarns_0
 {
-    var _S454 : vec2<f32> = _S452.dx_0;
-    var _S455 : vec2<f32> = _S452.dy_0;
-    var _S456 : vec2<f32> = sqrt(_S454 * _S454 + _S455 * _S455);
-    var _S457 : f32 = Footprint_spread_side_0(_S452);
-    var _S458 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S458, _S458, vec3<f32>(0.0f));
-    var _S459 : bool = (fabrics_0[_S451].is_irregular_0) != u32(0);
+    var _S458 : vec2<f32> = _S456.dx_0;
+    var _S459 : vec2<f32> = _S456.dy_0;
+    var _S460 : vec2<f32> = sqrt(_S458 * _S458 + _S459 * _S459);
+    var _S461 : f32 = Footprint_spread_side_0(_S456);
+    var _S462 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S462, _S462, vec3<f32>(0.0f));
+    var _S463 : bool = (fabrics_0[_S455].is_irregular_0) != u32(0);
     var number_8 : u32 = u32(0);
     for(;;)
     {
-        if(number_8 < select(u32(0), u32(2), _S459))
+        if(number_8 < select(u32(0), u32(2), _S463))
         {
         }
         else
         {
             break;
         }
-        var _S460 : bool = number_8 == u32(0);
-        var _S461 : u32 = select(fabrics_0[_S451].weft_0, fabrics_0[_S451].warp_0, _S460);
-        var _S462 : vec2<f32> = select_vector_1(_S460, _S452.centre_0, _S452.centre_0.yx);
-        var _S463 : vec2<f32> = select_vector_1(_S460, _S456, _S456.yx);
-        var _S464 : f32 = _S462.x;
-        var _S465 : Cell_0 = locate_0(_S461, _S464);
-        var yarn_1 : vec4<f32> = irregular_over_0(_S461, irregular_key_0(_S451, number_8), irregular_thread_0(_S461, _S464, _S465) + _S465.below_0 / (_S465.below_0 + _S465.above_0), _S463.x * (families_0[_S461].count_0 / families_0[_S461].period_0), _S462.y, _S463.y);
-        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S461, _S457));
+        var _S464 : bool = number_8 == u32(0);
+        var _S465 : u32 = select(fabrics_0[_S455].weft_0, fabrics_0[_S455].warp_0, _S464);
+        var _S466 : vec2<f32> = select_vector_1(_S464, _S456.centre_0, _S456.centre_0.yx);
+        var _S467 : vec2<f32> = select_vector_1(_S464, _S460, _S460.yx);
+        var _S468 : f32 = _S466.x;
+        var _S469 : Cell_0 = locate_0(_S465, _S468);
+        var yarn_1 : vec4<f32> = irregular_over_0(_S465, irregular_key_0(_S455, number_8), irregular_thread_0(_S465, _S468, _S469) + _S469.below_0 / (_S469.below_0 + _S469.above_0), _S467.x * (families_0[_S465].count_0 / families_0[_S465].period_0), _S466.y, _S467.y);
+        yarn_1[i32(1)] = yarn_1[i32(1)] * (1.0f - moved_share_0(_S465, _S461));
         yarns_1.warp_1 = yarns_1.weft_1;
         yarns_1.weft_1 = yarn_1;
         number_8 = number_8 + u32(1);
     }
-    var _S466 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S451].warp_0].cover_0, families_0[fabrics_0[_S451].weft_0].cover_0);
-    var _S467 : f32 = select(fabrics_0[_S451].warp_on_top_0, 1.0f - fabrics_0[_S451].warp_on_top_0, _S453);
-    var _S468 : vec3<f32> = shown_of_covers_0(_S466, _S467);
-    var _S469 : vec3<f32> = select_vector_2(_S459, shown_of_covers_0(saturate(_S466 + _S466 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S467) / max(_S468, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_1.shares_0 = _S469;
-    yarns_1.shares_0[i32(2)] = select(1.0f, _S469.z, (_S468.z) > 0.00009999999747379f);
+    var _S470 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S455].warp_0].cover_0, families_0[fabrics_0[_S455].weft_0].cover_0);
+    var _S471 : f32 = select(fabrics_0[_S455].warp_on_top_0, 1.0f - fabrics_0[_S455].warp_on_top_0, _S457);
+    var _S472 : vec3<f32> = shown_of_covers_0(_S470, _S471);
+    var _S473 : vec3<f32> = select_vector_2(_S463, shown_of_covers_0(saturate(_S470 + _S470 * vec2<f32>(yarns_1.warp_1.y, yarns_1.weft_1.y)), _S471) / max(_S472, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_1.shares_0 = _S473;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S473.z, (_S472.z) > 0.00009999999747379f);
     return yarns_1;
 }
 
-fn plane_count_0( _S470 : u32) -> u32
+fn plane_count_0( _S474 : u32) -> u32
 {
-    return select(u32(1), fabrics_0[_S470].planes_0, is_layered_0(_S470));
+    return select(u32(1), fabrics_0[_S474].planes_0, is_layered_0(_S474));
 }
 
-fn whole_plane_0( _S471 : u32) -> Plane_0
+fn whole_plane_0( _S475 : u32) -> Plane_0
 {
     var plane_1 : Plane_0;
-    plane_1.warp_5 = fabrics_0[_S471].warp_0;
-    plane_1.weft_5 = fabrics_0[_S471].weft_0;
-    plane_1.run_words_1 = fabrics_0[_S471].run_words_0;
-    plane_1.ends_2 = fabrics_0[_S471].ends_1;
+    plane_1.warp_5 = fabrics_0[_S475].warp_0;
+    plane_1.weft_5 = fabrics_0[_S475].weft_0;
+    plane_1.run_words_1 = fabrics_0[_S475].run_words_0;
+    plane_1.ends_2 = fabrics_0[_S475].ends_1;
     plane_1.end_numbers_0 = u32(0);
     plane_1.pick_numbers_0 = u32(0);
-    plane_1.max_heights_1 = fabrics_0[_S471].max_heights_0;
-    plane_1.max_height_columns_1 = fabrics_0[_S471].max_height_columns_0;
-    plane_1.height_low_1 = fabrics_0[_S471].height_low_0;
-    plane_1.height_high_1 = fabrics_0[_S471].height_high_0;
+    plane_1.max_heights_1 = fabrics_0[_S475].max_heights_0;
+    plane_1.max_height_columns_1 = fabrics_0[_S475].max_height_columns_0;
+    plane_1.height_low_1 = fabrics_0[_S475].height_low_0;
+    plane_1.height_high_1 = fabrics_0[_S475].height_high_0;
     plane_1.front_level_0 = 0.0f;
     plane_1.back_level_0 = 0.0f;
     plane_1.start_x_0 = 0.0f;
@@ -2130,214 +2146,220 @@ fn whole_plane_0( _S471 : u32) -> Plane_0
     return plane_1;
 }
 
-fn plane_of_0( _S472 : u32,  _S473 : u32) -> Plane_0
+fn plane_of_0( _S476 : u32,  _S477 : u32) -> Plane_0
 {
-    if(!is_layered_0(_S472))
+    if(!is_layered_0(_S476))
     {
-        return whole_plane_0(_S472);
+        return whole_plane_0(_S476);
     }
-    return plane_at_0(fabrics_0[_S472].plane_records_0 + _S473 * u32(16));
+    return plane_at_0(fabrics_0[_S476].plane_records_0 + _S477 * u32(16));
 }
 
-fn stack_share_0( _S474 : u32,  _S475 : vec2<f32>,  _S476 : vec2<f32>,  _S477 : u32) -> f32
+fn stack_share_0( _S478 : u32,  _S479 : vec2<f32>,  _S480 : vec2<f32>,  _S481 : u32) -> f32
 {
-    if((fabrics_0[_S474].stacks_0) == u32(1))
+    if((fabrics_0[_S478].stacks_0) == u32(1))
     {
         return 1.0f;
     }
-    var _S478 : u32 = fabrics_0[_S474].plane_axes_0 + u32(1);
-    var _S479 : Stretch_0 = stretch_of_0(fabrics_0[_S474].plane_axes_0, _S475.x, _S476.x);
-    var _S480 : Stretch_0 = stretch_of_0(_S478, _S475.y, _S476.y);
-    return clamp(integral_on_top_0(fabrics_0[_S474].plane_axes_0, _S479, _S480, u32(families_0[_S478].count_0), _S477) / (lengths_0(fabrics_0[_S474].plane_axes_0, _S479).x * lengths_0(_S478, _S480).x), 0.0f, 1.0f);
+    var _S482 : u32 = fabrics_0[_S478].plane_axes_0 + u32(1);
+    var _S483 : Stretch_0 = stretch_of_0(fabrics_0[_S478].plane_axes_0, _S479.x, _S480.x);
+    var _S484 : Stretch_0 = stretch_of_0(_S482, _S479.y, _S480.y);
+    return clamp(integral_on_top_0(fabrics_0[_S478].plane_axes_0, _S483, _S484, u32(families_0[_S482].count_0), _S481) / (lengths_0(fabrics_0[_S478].plane_axes_0, _S483).x * lengths_0(_S482, _S484).x), 0.0f, 1.0f);
 }
 
-fn layered_albedos_0( _S481 : u32,  _S482 : Footprint_0,  _S483 : NearestLayer_0,  _S484 : bool,  _S485 : vec3<f32>,  _S486 : vec3<f32>) -> LayeredAlbedos_0
+fn layered_albedos_0( _S485 : u32,  _S486 : Footprint_0,  _S487 : NearestLayer_0,  _S488 : bool,  _S489 : vec3<f32>,  _S490 : vec3<f32>) -> LayeredAlbedos_0
 {
-    var _S487 : vec2<f32> = _S482.dx_0;
-    var _S488 : vec2<f32> = _S482.dy_0;
-    var _S489 : vec2<f32> = sqrt(_S487 * _S487 + _S488 * _S488);
-    var _S490 : vec3<f32> = vec3<f32>(0.0f);
-    var _S491 : Albedos_0 = Albedos_x24init_0(_S490, _S490, _S490, _S490);
-    var _S492 : LayersBehind_0 = LayersBehind_x24init_0(_S490, _S490);
-    var found_1 : LayeredAlbedos_0 = LayeredAlbedos_x24init_0(FamilyAlbedos_x24init_0(_S491, _S491), _S492);
-    var _S493 : LayerSums_0 = LayerSums_x24init_0(_S491, 0.0f, _S492);
-    var warp_8 : LayerSums_0 = _S493;
-    var weft_8 : LayerSums_0 = _S493;
+    var _S491 : vec2<f32> = _S486.dx_0;
+    var _S492 : vec2<f32> = _S486.dy_0;
+    var _S493 : vec2<f32> = sqrt(_S491 * _S491 + _S492 * _S492);
+    var _S494 : vec3<f32> = vec3<f32>(0.0f);
+    var _S495 : Albedos_0 = Albedos_x24init_0(_S494, _S494, _S494, _S494);
+    var _S496 : FamilyAlbedos_0 = FamilyAlbedos_x24init_0(_S495, _S495);
+    var _S497 : LayersBehind_0 = LayersBehind_x24init_0(_S494, _S494);
+    var found_1 : LayeredAlbedos_0 = LayeredAlbedos_x24init_0(_S496, _S496, _S497);
+    var _S498 : LayerSums_0 = LayerSums_x24init_0(_S495, _S495, 0.0f, 0.0f, 0.0f, _S497);
+    var warp_8 : LayerSums_0 = _S498;
+    var weft_8 : LayerSums_0 = _S498;
     var number_9 : u32 = u32(0);
     for(;;)
     {
-        if(number_9 < (plane_count_0(_S481)))
+        if(number_9 < (plane_count_0(_S485)))
         {
         }
         else
         {
             break;
         }
-        var _S494 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S481, number_9), _S482.centre_0, _S489, _S484);
-        if(!is_layered_0(_S481))
+        var _S499 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S485, number_9), _S486.centre_0, _S493, _S488);
+        if(!is_layered_0(_S485))
         {
-            found_1.albedos_0 = _S494;
+            found_1.albedos_0 = _S499;
+            found_1.means_0 = _S499;
             return found_1;
         }
-        var _S495 : f32 = select(1.0f - _S483.weight_0, 1.0f, number_9 == (_S483.number_4));
+        var _S500 : f32 = select(1.0f - _S487.weight_0, 1.0f, number_9 == (_S487.number_4));
         var stack_0 : u32 = u32(0);
         for(;;)
         {
-            if(stack_0 < (fabrics_0[_S481].stacks_0))
+            if(stack_0 < (fabrics_0[_S485].stacks_0))
             {
             }
             else
             {
                 break;
             }
-            var _S496 : f32 = stack_share_0(_S481, _S482.centre_0, _S489, stack_0);
-            var _S497 : u32 = fabrics_0[_S481].plane_shares_0 + u32(144) * (u32(2) * (stack_0 * fabrics_0[_S481].planes_0 + number_9) + select(u32(0), u32(1), _S484));
-            var _S498 : LayerSums_0 = with_seen_0(warp_8, _S494.warp_3, families_0[fabrics_0[_S481].warp_0].layer_through_0, _S497, _S496, _S495, _S485, _S486);
-            var _S499 : LayerSums_0 = with_seen_0(weft_8, _S494.weft_3, families_0[fabrics_0[_S481].weft_0].layer_through_0, _S497 + u32(72), _S496, _S495, _S485, _S486);
-            var _S500 : u32 = stack_0 + u32(1);
-            warp_8 = _S498;
-            weft_8 = _S499;
-            stack_0 = _S500;
+            var _S501 : f32 = stack_share_0(_S485, _S486.centre_0, _S493, stack_0);
+            var _S502 : u32 = fabrics_0[_S485].plane_shares_0 + u32(144) * (u32(2) * (stack_0 * fabrics_0[_S485].planes_0 + number_9) + select(u32(0), u32(1), _S488));
+            var _S503 : LayerSums_0 = with_seen_0(warp_8, _S499.warp_3, families_0[fabrics_0[_S485].warp_0].layer_through_0, _S502, _S501, _S500, _S489, _S490);
+            var _S504 : LayerSums_0 = with_seen_0(weft_8, _S499.weft_3, families_0[fabrics_0[_S485].weft_0].layer_through_0, _S502 + u32(72), _S501, _S500, _S489, _S490);
+            var _S505 : u32 = stack_0 + u32(1);
+            warp_8 = _S503;
+            weft_8 = _S504;
+            stack_0 = _S505;
         }
         number_9 = number_9 + u32(1);
     }
-    found_1.albedos_0.warp_3 = divided_0(warp_8.albedos_2, warp_8.weight_2);
-    found_1.albedos_0.weft_3 = divided_0(weft_8.albedos_2, weft_8.weight_2);
+    var _S506 : f32 = warp_8.weight_2;
+    found_1.albedos_0.warp_3 = divided_0(warp_8.albedos_2, _S506, _S506);
+    var _S507 : f32 = weft_8.weight_2;
+    found_1.albedos_0.weft_3 = divided_0(weft_8.albedos_2, _S507, _S507);
+    found_1.means_0.warp_3 = divided_0(warp_8.means_2, warp_8.lit_0, warp_8.passed_0);
+    found_1.means_0.weft_3 = divided_0(weft_8.means_2, weft_8.lit_0, weft_8.passed_0);
     found_1.behind_0.reflected_0 = warp_8.behind_2.reflected_0 + weft_8.behind_2.reflected_0;
     found_1.behind_0.transmitted_0 = warp_8.behind_2.transmitted_0 + weft_8.behind_2.transmitted_0;
     return found_1;
 }
 
-fn albedos_over_0( _S501 : u32,  _S502 : Footprint_0,  _S503 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S508 : u32,  _S509 : Footprint_0,  _S510 : bool) -> FamilyAlbedos_0
 {
-    const _S504 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
-    return layered_albedos_0(_S501, _S502, NearestLayer_x24init_0(u32(0), 0.0f), _S503, _S504, _S504).albedos_0;
+    const _S511 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    return layered_albedos_0(_S508, _S509, NearestLayer_x24init_0(u32(0), 0.0f), _S510, _S511, _S511).means_0;
 }
 
-fn toned_0( _S505 : u32,  _S506 : u32,  _S507 : Albedos_0,  _S508 : vec4<f32>) -> Albedos_0
+fn toned_0( _S512 : u32,  _S513 : u32,  _S514 : Albedos_0,  _S515 : vec4<f32>) -> Albedos_0
 {
-    var _S509 : vec3<f32> = _S507.diffuse_reflect_0 + _S507.diffuse_transmit_0;
-    var _S510 : vec3<f32> = vec3<f32>(1.0f);
-    var _S511 : vec3<f32> = _S510 - vec3<f32>(fabrics_0[_S505].layer_bound_0) * max(_S507.specular_reflect_0, _S507.specular_transmit_0);
-    var _S512 : vec3<f32> = vec3<f32>(0.0f);
-    var _S513 : vec3<f32> = max(_S510 - _S509, _S512) / (_S510 + _S509);
-    var _S514 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S515 : vec3<f32> = (_S511 / max(_S509, _S514) - _S510) / max(vec3<f32>(0.89999997615814209f) * _S513, _S514);
-    var _S516 : vec3<f32> = _S510 - vec3<f32>((saturate(min(min(_S515.x, _S515.y), _S515.z)) * _S508.z)) * _S513;
-    var _S517 : vec3<f32> = min(vec3<f32>(families_0[_S506].nep_red_0, families_0[_S506].nep_green_0, families_0[_S506].nep_blue_0), _S511);
-    var found_2 : Albedos_0 = _S507;
-    var _S518 : f32 = _S508.w;
-    var _S519 : vec3<f32> = _S516 * _S507.diffuse_transmit_0 * vec3<f32>((1.0f - _S518));
-    found_2.diffuse_transmit_0 = _S519;
-    found_2.diffuse_reflect_0 = clamp(mix(_S516 * _S507.diffuse_reflect_0, _S517, vec3<f32>(_S518)), _S512, max(_S511 - _S519, _S512));
+    var _S516 : vec3<f32> = _S514.diffuse_reflect_0 + _S514.diffuse_transmit_0;
+    var _S517 : vec3<f32> = vec3<f32>(1.0f);
+    var _S518 : vec3<f32> = _S517 - vec3<f32>(fabrics_0[_S512].layer_bound_0) * max(_S514.specular_reflect_0, _S514.specular_transmit_0);
+    var _S519 : vec3<f32> = vec3<f32>(0.0f);
+    var _S520 : vec3<f32> = max(_S517 - _S516, _S519) / (_S517 + _S516);
+    var _S521 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S522 : vec3<f32> = (_S518 / max(_S516, _S521) - _S517) / max(vec3<f32>(0.89999997615814209f) * _S520, _S521);
+    var _S523 : vec3<f32> = _S517 - vec3<f32>((saturate(min(min(_S522.x, _S522.y), _S522.z)) * _S515.z)) * _S520;
+    var _S524 : vec3<f32> = min(vec3<f32>(families_0[_S513].nep_red_0, families_0[_S513].nep_green_0, families_0[_S513].nep_blue_0), _S518);
+    var found_2 : Albedos_0 = _S514;
+    var _S525 : f32 = _S515.w;
+    var _S526 : vec3<f32> = _S523 * _S514.diffuse_transmit_0 * vec3<f32>((1.0f - _S525));
+    found_2.diffuse_transmit_0 = _S526;
+    found_2.diffuse_reflect_0 = clamp(mix(_S523 * _S514.diffuse_reflect_0, _S524, vec3<f32>(_S525)), _S519, max(_S518 - _S526, _S519));
     return found_2;
 }
 
-fn with_tones_0( _S520 : u32,  _S521 : FamilyAlbedos_0,  _S522 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S527 : u32,  _S528 : FamilyAlbedos_0,  _S529 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S520].is_irregular_0) == u32(0))
+    if((fabrics_0[_S527].is_irregular_0) == u32(0))
     {
-        return _S521;
+        return _S528;
     }
     var result_6 : FamilyAlbedos_0;
-    result_6.warp_3 = toned_0(_S520, fabrics_0[_S520].warp_0, _S521.warp_3, _S522.warp_1);
-    result_6.weft_3 = toned_0(_S520, fabrics_0[_S520].weft_0, _S521.weft_3, _S522.weft_1);
+    result_6.warp_3 = toned_0(_S527, fabrics_0[_S527].warp_0, _S528.warp_3, _S529.warp_1);
+    result_6.weft_3 = toned_0(_S527, fabrics_0[_S527].weft_0, _S528.weft_3, _S529.weft_1);
     return result_6;
 }
 
-fn openness_number_0( _S523 : u32,  _S524 : u32) -> f32
+fn openness_number_0( _S530 : u32,  _S531 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S523].openness_0 + _S524);
+    return table_number_0(fabrics_0[_S530].openness_0 + _S531);
 }
 
-fn scattered_by_0( _S525 : u32,  _S526 : Albedos_0,  _S527 : u32,  _S528 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S532 : u32,  _S533 : Albedos_0,  _S534 : u32,  _S535 : vec3<f32>) -> Scattered_0
 {
-    var _S529 : u32 = u32(159) + u32(2) * _S527;
+    var _S536 : u32 = u32(159) + u32(2) * _S534;
     var yarn_2 : Scattered_0;
-    yarn_2.back_5 = _S528 * _S526.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S525, _S529)) * _S526.specular_reflect_0;
-    yarn_2.through_1 = _S528 * _S526.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S525, _S529 + u32(1))) * _S526.specular_transmit_0;
+    yarn_2.back_5 = _S535 * _S533.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S532, _S536)) * _S533.specular_reflect_0;
+    yarn_2.through_1 = _S535 * _S533.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S532, _S536 + u32(1))) * _S533.specular_transmit_0;
     return yarn_2;
 }
 
-fn sent_0( _S530 : u32,  _S531 : u32,  _S532 : vec3<f32>,  _S533 : vec3<f32>,  _S534 : vec3<f32>,  _S535 : vec3<f32>,  _S536 : ptr<function, vec3<f32>>,  _S537 : ptr<function, vec3<f32>>)
+fn sent_0( _S537 : u32,  _S538 : u32,  _S539 : vec3<f32>,  _S540 : vec3<f32>,  _S541 : vec3<f32>,  _S542 : vec3<f32>,  _S543 : ptr<function, vec3<f32>>,  _S544 : ptr<function, vec3<f32>>)
 {
-    var _S538 : u32 = u32(146) + u32(4) * _S531;
-    var _S539 : f32 = openness_number_0(_S530, _S538 + u32(1));
-    var _S540 : f32 = openness_number_0(_S530, _S538 + u32(2));
-    var _S541 : vec3<f32> = vec3<f32>(1.0f);
-    var _S542 : vec3<f32> = _S541 - _S534 * vec3<f32>(openness_number_0(_S530, _S538));
-    var _S543 : vec3<f32> = _S541 - _S535 * vec3<f32>(openness_number_0(_S530, _S538 + u32(3)));
-    var _S544 : vec3<f32> = _S541 / (_S542 * _S543 - _S534 * _S535 * vec3<f32>((_S539 * _S540)));
-    (*_S536) = (_S532 * _S543 + _S534 * vec3<f32>(_S539) * _S533) * _S544;
-    (*_S537) = (_S533 * _S542 + _S535 * vec3<f32>(_S540) * _S532) * _S544;
+    var _S545 : u32 = u32(146) + u32(4) * _S538;
+    var _S546 : f32 = openness_number_0(_S537, _S545 + u32(1));
+    var _S547 : f32 = openness_number_0(_S537, _S545 + u32(2));
+    var _S548 : vec3<f32> = vec3<f32>(1.0f);
+    var _S549 : vec3<f32> = _S548 - _S541 * vec3<f32>(openness_number_0(_S537, _S545));
+    var _S550 : vec3<f32> = _S548 - _S542 * vec3<f32>(openness_number_0(_S537, _S545 + u32(3)));
+    var _S551 : vec3<f32> = _S548 / (_S549 * _S550 - _S541 * _S542 * vec3<f32>((_S546 * _S547)));
+    (*_S543) = (_S539 * _S550 + _S541 * vec3<f32>(_S546) * _S540) * _S551;
+    (*_S544) = (_S540 * _S549 + _S542 * vec3<f32>(_S547) * _S539) * _S551;
     return;
 }
 
-fn face_sends_0( _S545 : u32,  _S546 : u32,  _S547 : Scattered_0,  _S548 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S552 : u32,  _S553 : u32,  _S554 : Scattered_0,  _S555 : Scattered_0) -> FaceSends_0
 {
-    var _S549 : u32 = u32(2) * _S546;
-    var _S550 : u32 = u32(142) + _S549;
-    var _S551 : f32 = openness_number_0(_S545, _S550);
-    var _S552 : f32 = openness_number_0(_S545, _S550 + u32(1));
-    var _S553 : vec3<f32> = vec3<f32>((1.0f - _S551)) * _S547.back_5;
-    var _S554 : vec3<f32> = vec3<f32>((1.0f - _S552)) * _S548.back_5;
+    var _S556 : u32 = u32(2) * _S553;
+    var _S557 : u32 = u32(142) + _S556;
+    var _S558 : f32 = openness_number_0(_S552, _S557);
+    var _S559 : f32 = openness_number_0(_S552, _S557 + u32(1));
+    var _S560 : vec3<f32> = vec3<f32>((1.0f - _S558)) * _S554.back_5;
+    var _S561 : vec3<f32> = vec3<f32>((1.0f - _S559)) * _S555.back_5;
     var sends_1 : FaceSends_0;
-    var _S555 : u32 = u32(154) + _S549;
-    var _S556 : f32 = openness_number_0(_S545, _S555);
-    sends_1.blocks_warp_0 = _S556;
-    var _S557 : f32 = openness_number_0(_S545, _S555 + u32(1));
-    sends_1.blocks_weft_0 = _S557;
-    sends_1.open_0 = _S556 * _S551 + _S557 * _S552;
-    var _S558 : vec3<f32> = vec3<f32>(_S551) * _S547.back_5;
-    var _S559 : vec3<f32> = vec3<f32>(_S552) * _S548.back_5;
-    var _S560 : vec3<f32> = sends_1.sky_warp_0;
-    var _S561 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S545, _S546, _S558, _S559, _S553, _S554, &(_S560), &(_S561));
-    sends_1.sky_warp_0 = _S560;
-    sends_1.sky_weft_0 = _S561;
-    var _S562 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S563 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S545, _S546, _S547.through_1, _S548.through_1, _S553, _S554, &(_S562), &(_S563));
-    sends_1.crossing_warp_0 = _S562;
-    sends_1.crossing_weft_0 = _S563;
+    var _S562 : u32 = u32(154) + _S556;
+    var _S563 : f32 = openness_number_0(_S552, _S562);
+    sends_1.blocks_warp_0 = _S563;
+    var _S564 : f32 = openness_number_0(_S552, _S562 + u32(1));
+    sends_1.blocks_weft_0 = _S564;
+    sends_1.open_0 = _S563 * _S558 + _S564 * _S559;
+    var _S565 : vec3<f32> = vec3<f32>(_S558) * _S554.back_5;
+    var _S566 : vec3<f32> = vec3<f32>(_S559) * _S555.back_5;
+    var _S567 : vec3<f32> = sends_1.sky_warp_0;
+    var _S568 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S552, _S553, _S565, _S566, _S560, _S561, &(_S567), &(_S568));
+    sends_1.sky_warp_0 = _S567;
+    sends_1.sky_weft_0 = _S568;
+    var _S569 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S570 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S552, _S553, _S554.through_1, _S555.through_1, _S560, _S561, &(_S569), &(_S570));
+    sends_1.crossing_warp_0 = _S569;
+    sends_1.crossing_weft_0 = _S570;
     return sends_1;
 }
 
-fn interior_between_0( _S564 : u32,  _S565 : u32,  _S566 : u32,  _S567 : vec3<f32>,  _S568 : bool) -> Interior_0
+fn interior_between_0( _S571 : u32,  _S572 : u32,  _S573 : u32,  _S574 : vec3<f32>,  _S575 : bool) -> Interior_0
 {
-    var _S569 : Scattered_0 = scattered_by_0(_S564, table_albedos_0(_S565), u32(0), _S567);
-    var _S570 : Scattered_0 = scattered_by_0(_S564, table_albedos_0(_S566), u32(1), _S567);
-    var _S571 : FaceSends_0 = face_sends_0(_S564, select(u32(0), u32(1), _S568), _S569, _S570);
-    var _S572 : FaceSends_0 = face_sends_0(_S564, select(u32(1), u32(0), _S568), _S569, _S570);
-    var _S573 : vec3<f32> = vec3<f32>(_S571.blocks_warp_0);
-    var _S574 : vec3<f32> = vec3<f32>(_S571.blocks_weft_0);
-    var _S575 : vec3<f32> = _S573 * _S571.crossing_warp_0 + _S574 * _S571.crossing_weft_0;
-    var _S576 : vec3<f32> = vec3<f32>(_S572.blocks_warp_0);
-    var _S577 : vec3<f32> = vec3<f32>(_S572.blocks_weft_0);
-    var _S578 : vec3<f32> = _S576 * _S572.crossing_warp_0 + _S577 * _S572.crossing_weft_0;
-    var _S579 : f32 = 1.0f - _S571.open_0;
-    var _S580 : f32 = 1.0f - _S572.open_0;
-    var _S581 : vec3<f32> = vec3<f32>(1.0f);
-    var _S582 : vec3<f32> = _S581 / (_S581 - _S575 * _S578 * vec3<f32>((_S579 * _S580)));
-    var _S583 : vec3<f32> = _S578 * (vec3<f32>(_S571.open_0) + vec3<f32>(_S579) * (_S573 * _S571.sky_warp_0 + _S574 * _S571.sky_weft_0)) * _S582;
-    var _S584 : vec3<f32> = _S575 * (vec3<f32>(_S572.open_0) + vec3<f32>(_S580) * (_S576 * _S572.sky_warp_0 + _S577 * _S572.sky_weft_0)) * _S582;
-    var _S585 : FaceRadiance_0 = face_radiance_0(_S571, _S572.open_0, _S583, _S584);
-    var _S586 : FaceRadiance_0 = face_radiance_0(_S572, _S571.open_0, _S584, _S583);
+    var _S576 : Scattered_0 = scattered_by_0(_S571, table_albedos_0(_S572), u32(0), _S574);
+    var _S577 : Scattered_0 = scattered_by_0(_S571, table_albedos_0(_S573), u32(1), _S574);
+    var _S578 : FaceSends_0 = face_sends_0(_S571, select(u32(0), u32(1), _S575), _S576, _S577);
+    var _S579 : FaceSends_0 = face_sends_0(_S571, select(u32(1), u32(0), _S575), _S576, _S577);
+    var _S580 : vec3<f32> = vec3<f32>(_S578.blocks_warp_0);
+    var _S581 : vec3<f32> = vec3<f32>(_S578.blocks_weft_0);
+    var _S582 : vec3<f32> = _S580 * _S578.crossing_warp_0 + _S581 * _S578.crossing_weft_0;
+    var _S583 : vec3<f32> = vec3<f32>(_S579.blocks_warp_0);
+    var _S584 : vec3<f32> = vec3<f32>(_S579.blocks_weft_0);
+    var _S585 : vec3<f32> = _S583 * _S579.crossing_warp_0 + _S584 * _S579.crossing_weft_0;
+    var _S586 : f32 = 1.0f - _S578.open_0;
+    var _S587 : f32 = 1.0f - _S579.open_0;
+    var _S588 : vec3<f32> = vec3<f32>(1.0f);
+    var _S589 : vec3<f32> = _S588 / (_S588 - _S582 * _S585 * vec3<f32>((_S586 * _S587)));
+    var _S590 : vec3<f32> = _S585 * (vec3<f32>(_S578.open_0) + vec3<f32>(_S586) * (_S580 * _S578.sky_warp_0 + _S581 * _S578.sky_weft_0)) * _S589;
+    var _S591 : vec3<f32> = _S582 * (vec3<f32>(_S579.open_0) + vec3<f32>(_S587) * (_S583 * _S579.sky_warp_0 + _S584 * _S579.sky_weft_0)) * _S589;
+    var _S592 : FaceRadiance_0 = face_radiance_0(_S578, _S579.open_0, _S590, _S591);
+    var _S593 : FaceRadiance_0 = face_radiance_0(_S579, _S578.open_0, _S591, _S590);
     var interior_1 : Interior_0;
-    interior_1.warp_7 = _S585.warp_6;
-    interior_1.weft_7 = _S585.weft_6;
-    interior_1.leaked_1 = _S585.leaked_0;
-    interior_1.far_1 = _S586.mean_0;
-    interior_1.far_leaked_0 = _S586.leaked_0;
+    interior_1.warp_7 = _S592.warp_6;
+    interior_1.weft_7 = _S592.weft_6;
+    interior_1.leaked_1 = _S592.leaked_0;
+    interior_1.far_1 = _S593.mean_0;
+    interior_1.far_leaked_0 = _S593.leaked_0;
     return interior_1;
 }
 
-fn interior_of_0( _S587 : u32,  _S588 : vec3<f32>,  _S589 : bool) -> Interior_0
+fn interior_of_0( _S594 : u32,  _S595 : vec3<f32>,  _S596 : bool) -> Interior_0
 {
-    return interior_between_0(_S587, families_0[fabrics_0[_S587].warp_0].cloth_mean_0, families_0[fabrics_0[_S587].weft_0].cloth_mean_0, _S588, _S589);
+    return interior_between_0(_S594, families_0[fabrics_0[_S594].warp_0].cloth_mean_0, families_0[fabrics_0[_S594].weft_0].cloth_mean_0, _S595, _S596);
 }
 
-fn blocked_of_terms_0( _S590 : u32,  _S591 : u32,  _S592 : array<f32, i32(6)>,  _S593 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S597 : u32,  _S598 : u32,  _S599 : array<f32, i32(6)>,  _S600 : u32) -> Blocked_0
 {
     var shares_2 : array<f32, i32(3)>;
     var share_4 : u32 = u32(0);
@@ -2354,14 +2376,14 @@ fn blocked_of_terms_0( _S590 : u32,  _S591 : u32,  _S592 : array<f32, i32(6)>,  
         var term_2 : u32 = u32(0);
         for(;;)
         {
-            if(term_2 < _S593)
+            if(term_2 < _S600)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_4] = shares_2[share_4] + openness_number_0(_S590, _S591 + share_4 * _S593 + term_2) * _S592[term_2];
+            shares_2[share_4] = shares_2[share_4] + openness_number_0(_S597, _S598 + share_4 * _S600 + term_2) * _S599[term_2];
             term_2 = term_2 + u32(1);
         }
         shares_2[share_4] = saturate(shares_2[share_4]);
@@ -2374,81 +2396,81 @@ fn blocked_of_terms_0( _S590 : u32,  _S591 : u32,  _S592 : array<f32, i32(6)>,  
     return blocked_1;
 }
 
-fn blocked_from_0( _S594 : u32,  _S595 : vec3<f32>,  _S596 : bool,  _S597 : bool) -> Blocked_0
+fn blocked_from_0( _S601 : u32,  _S602 : vec3<f32>,  _S603 : bool,  _S604 : bool) -> Blocked_0
 {
     var terms_4 : array<f32, i32(6)>;
-    view_terms_0(_S595, &(terms_4));
-    return blocked_of_terms_0(_S594, (select(u32(0), u32(2), _S597) + select(u32(1), u32(0), _S596)) * u32(15), terms_4, u32(5));
+    view_terms_0(_S602, &(terms_4));
+    return blocked_of_terms_0(_S601, (select(u32(0), u32(2), _S604) + select(u32(1), u32(0), _S603)) * u32(15), terms_4, u32(5));
 }
 
-fn family_share_0( _S598 : u32,  _S599 : u32,  _S600 : f32) -> vec2<f32>
+fn family_share_0( _S605 : u32,  _S606 : u32,  _S607 : f32) -> vec2<f32>
 {
-    var _S601 : bool = _S599 < (fabrics_0[_S598].clustered_0.clusters_0 / u32(2));
-    return vec2<f32>(select(0.0f, _S600, _S601), select(_S600, 0.0f, _S601));
+    var _S608 : bool = _S606 < (fabrics_0[_S605].clustered_0.clusters_0 / u32(2));
+    return vec2<f32>(select(0.0f, _S607, _S608), select(_S607, 0.0f, _S608));
 }
 
-fn clustered_shown_0( _S602 : u32,  _S603 : ViewedBase_0) -> vec2<f32>
+fn clustered_shown_0( _S609 : u32,  _S610 : ViewedBase_0) -> vec2<f32>
 {
-    var _S604 : Clustered_std430_0 = fabrics_0[_S602].clustered_0;
-    var _S605 : u32 = _S604.clusters_0;
-    var _S606 : vec2<f32> = vec2<f32>(0.0f);
+    var _S611 : Clustered_std430_0 = fabrics_0[_S609].clustered_0;
+    var _S612 : u32 = _S611.clusters_0;
+    var _S613 : vec2<f32> = vec2<f32>(0.0f);
     var cluster_1 : u32 = u32(0);
-    var shown_0 : vec2<f32> = _S606;
+    var shown_0 : vec2<f32> = _S613;
     for(;;)
     {
-        if(cluster_1 < _S605)
+        if(cluster_1 < _S612)
         {
         }
         else
         {
             break;
         }
-        var _S607 : f32 = box_mean_0(&(_S604), _S603.box_5, _S603.face_6, cluster_1);
-        var shown_1 : vec2<f32> = shown_0 + family_share_0(_S602, cluster_1, _S607);
+        var _S614 : f32 = box_mean_0(&(_S611), _S610.box_5, _S610.face_6, cluster_1);
+        var shown_1 : vec2<f32> = shown_0 + family_share_0(_S609, cluster_1, _S614);
         cluster_1 = cluster_1 + u32(1);
         shown_0 = shown_1;
     }
     return shown_0;
 }
 
-fn clustered_view_0( _S608 : u32,  _S609 : Footprint_0,  _S610 : vec3<f32>,  _S611 : vec3<f32>,  _S612 : u32) -> ClusteredView_0
+fn clustered_view_0( _S615 : u32,  _S616 : Footprint_0,  _S617 : vec3<f32>,  _S618 : vec3<f32>,  _S619 : u32) -> ClusteredView_0
 {
     var seen_2 : ClusteredView_0;
-    var _S613 : ViewedBase_0 = viewed_base_0(_S608, _S609, _S610, uniform_of_0(_S612, u32(0)));
-    seen_2.base_0 = _S613;
-    seen_2.view_8 = _S610;
-    var _S614 : f32 = texel_hole_0(_S608, _S613);
-    seen_2.even_hole_0 = _S614;
-    var _S615 : Yarns_0 = yarns_over_0(_S608, _S609, seen_2.base_0.back_6);
-    seen_2.yarns_0 = _S615;
-    seen_2.hole_1 = min(_S614 * seen_2.yarns_0.shares_0.z, 1.0f);
-    var _S616 : FamilyAlbedos_0 = with_tones_0(_S608, albedos_over_0(_S608, _S609, seen_2.base_0.back_6), _S615);
-    seen_2.albedos_11.warp_3 = tinted_0(_S616.warp_3, _S611);
-    seen_2.albedos_11.weft_3 = tinted_0(_S616.weft_3, _S611);
-    var _S617 : vec3<f32> = vec3<f32>(0.0f);
-    seen_2.bounced_2.reflected_2 = _S617;
-    seen_2.bounced_2.transmitted_2 = _S617;
-    if((fabrics_0[_S608].openness_0) == u32(4294967295))
+    var _S620 : ViewedBase_0 = viewed_base_0(_S615, _S616, _S617, uniform_of_0(_S619, u32(0)));
+    seen_2.base_0 = _S620;
+    seen_2.view_8 = _S617;
+    var _S621 : f32 = texel_hole_0(_S615, _S620);
+    seen_2.even_hole_0 = _S621;
+    var _S622 : Yarns_0 = yarns_over_0(_S615, _S616, seen_2.base_0.back_6);
+    seen_2.yarns_0 = _S622;
+    seen_2.hole_1 = min(_S621 * seen_2.yarns_0.shares_0.z, 1.0f);
+    var _S623 : FamilyAlbedos_0 = with_tones_0(_S615, albedos_over_0(_S615, _S616, seen_2.base_0.back_6), _S622);
+    seen_2.albedos_11.warp_3 = tinted_0(_S623.warp_3, _S618);
+    seen_2.albedos_11.weft_3 = tinted_0(_S623.weft_3, _S618);
+    var _S624 : vec3<f32> = vec3<f32>(0.0f);
+    seen_2.bounced_2.reflected_2 = _S624;
+    seen_2.bounced_2.transmitted_2 = _S624;
+    if((fabrics_0[_S615].openness_0) == u32(4294967295))
     {
         return seen_2;
     }
-    var _S618 : Interior_0 = interior_of_0(_S608, _S611, seen_2.base_0.back_6);
-    var _S619 : Bounced_0 = bounced_by_0(blocked_from_0(_S608, seen_2.base_0.view_4, true, seen_2.base_0.back_6), scattered_by_0(_S608, _S616.warp_3, u32(0), _S611), _S618);
-    var _S620 : Bounced_0 = bounced_by_0(blocked_from_0(_S608, seen_2.base_0.view_4, false, seen_2.base_0.back_6), scattered_by_0(_S608, _S616.weft_3, u32(1), _S611), _S618);
-    var _S621 : vec2<f32> = clustered_shown_0(_S608, seen_2.base_0) * seen_2.yarns_0.shares_0.xy;
-    var _S622 : vec3<f32> = vec3<f32>(_S621.x);
-    var _S623 : vec3<f32> = vec3<f32>(_S621.y);
-    seen_2.bounced_2.reflected_2 = _S622 * _S619.reflected_2 + _S623 * _S620.reflected_2;
-    seen_2.bounced_2.transmitted_2 = _S622 * _S619.transmitted_2 + _S623 * _S620.transmitted_2;
+    var _S625 : Interior_0 = interior_of_0(_S615, _S618, seen_2.base_0.back_6);
+    var _S626 : Bounced_0 = bounced_by_0(blocked_from_0(_S615, seen_2.base_0.view_4, true, seen_2.base_0.back_6), scattered_by_0(_S615, _S623.warp_3, u32(0), _S618), _S625);
+    var _S627 : Bounced_0 = bounced_by_0(blocked_from_0(_S615, seen_2.base_0.view_4, false, seen_2.base_0.back_6), scattered_by_0(_S615, _S623.weft_3, u32(1), _S618), _S625);
+    var _S628 : vec2<f32> = clustered_shown_0(_S615, seen_2.base_0) * seen_2.yarns_0.shares_0.xy;
+    var _S629 : vec3<f32> = vec3<f32>(_S628.x);
+    var _S630 : vec3<f32> = vec3<f32>(_S628.y);
+    seen_2.bounced_2.reflected_2 = _S629 * _S626.reflected_2 + _S630 * _S627.reflected_2;
+    seen_2.bounced_2.transmitted_2 = _S629 * _S626.transmitted_2 + _S630 * _S627.transmitted_2;
     return seen_2;
 }
 
-fn residual_texel_0( _S624 : u32,  _S625 : ClusteredView_0,  _S626 : u32,  _S627 : u32) -> u32
+fn residual_texel_0( _S631 : u32,  _S632 : ClusteredView_0,  _S633 : u32,  _S634 : u32) -> u32
 {
-    var _S628 : u32 = _S626 + _S627 * u32(1663821227);
-    var _S629 : Clustered_std430_0 = fabrics_0[_S624].clustered_0;
-    var _S630 : u32 = texel_of_0(&(_S629), _S625.base_0.box_5, vec2<f32>(uniform_of_0(_S628, u32(1)), uniform_of_0(_S628, u32(2))));
-    return _S630;
+    var _S635 : u32 = _S633 + _S634 * u32(1663821227);
+    var _S636 : Clustered_std430_0 = fabrics_0[_S631].clustered_0;
+    var _S637 : u32 = texel_of_0(&(_S636), _S632.base_0.box_5, vec2<f32>(uniform_of_0(_S635, u32(1)), uniform_of_0(_S635, u32(2))));
+    return _S637;
 }
 
 fn light_sample_count_0() -> u32
@@ -2456,13 +2478,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S631 : u32,  _S632 : vec2<u32>) -> f32
+fn visibility_at_0( _S638 : u32,  _S639 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S631 * frame_record_0.height_0 + _S632.y) * frame_record_0.width_0 + _S632.x];
+    return visibilities_0[(_S638 * frame_record_0.height_0 + _S639.y) * frame_record_0.width_0 + _S639.x];
 }
 
 struct LightSample_0
@@ -2472,211 +2494,211 @@ struct LightSample_0
      distance_0 : f32,
 };
 
-fn environment_texel_0( _S633 : u32,  _S634 : u32) -> vec3<f32>
+fn environment_texel_0( _S640 : u32,  _S641 : u32) -> vec3<f32>
 {
-    var _S635 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S633 * frame_record_0.environment_columns_0 + _S634);
-    return vec3<f32>(scene_number_0(_S635), scene_number_0(_S635 + u32(1)), scene_number_0(_S635 + u32(2)));
+    var _S642 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S640 * frame_record_0.environment_columns_0 + _S641);
+    return vec3<f32>(scene_number_0(_S642), scene_number_0(_S642 + u32(1)), scene_number_0(_S642 + u32(2)));
 }
 
-fn sample_environment_0( _S636 : vec2<f32>,  _S637 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S643 : vec2<f32>,  _S644 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S638 : u32 = frame_record_0.environment_rows_0;
-    var _S639 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S636.y);
-    var _S640 : u32 = frame_record_0.environment_columns_0;
-    var _S641 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S639.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S636.x);
-    var _S642 : vec3<f32> = environment_texel_0(_S639.index_6, _S641.index_6);
-    (*_S637) = _S642 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S642), 9.99999968265522539e-21f)));
-    var _S643 : f32 = 3.14159274101257324f / f32(_S638);
-    var _S644 : f32 = mix(sine_cosine_0(f32(_S639.index_6) * _S643).y, sine_cosine_0(f32(_S639.index_6 + u32(1)) * _S643).y, _S639.remainder_0);
-    var _S645 : f32 = sqrt(max(1.0f - _S644 * _S644, 0.0f));
-    var _S646 : vec2<f32> = sine_cosine_0((f32(_S641.index_6) + _S641.remainder_0) * (6.28318548202514648f / f32(_S640)));
-    var _S647 : f32 = _S645 * _S646.x;
-    var _S648 : f32 = - _S645 * _S646.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S647 + frame_record_0.environment_sine_0 * _S648, _S644, frame_record_0.environment_cosine_0 * _S648 - frame_record_0.environment_sine_0 * _S647);
+    var _S645 : u32 = frame_record_0.environment_rows_0;
+    var _S646 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S643.y);
+    var _S647 : u32 = frame_record_0.environment_columns_0;
+    var _S648 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S646.index_6 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S643.x);
+    var _S649 : vec3<f32> = environment_texel_0(_S646.index_6, _S648.index_6);
+    (*_S644) = _S649 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_1(_S649), 9.99999968265522539e-21f)));
+    var _S650 : f32 = 3.14159274101257324f / f32(_S645);
+    var _S651 : f32 = mix(sine_cosine_0(f32(_S646.index_6) * _S650).y, sine_cosine_0(f32(_S646.index_6 + u32(1)) * _S650).y, _S646.remainder_0);
+    var _S652 : f32 = sqrt(max(1.0f - _S651 * _S651, 0.0f));
+    var _S653 : vec2<f32> = sine_cosine_0((f32(_S648.index_6) + _S648.remainder_0) * (6.28318548202514648f / f32(_S647)));
+    var _S654 : f32 = _S652 * _S653.x;
+    var _S655 : f32 = - _S652 * _S653.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S654 + frame_record_0.environment_sine_0 * _S655, _S651, frame_record_0.environment_cosine_0 * _S655 - frame_record_0.environment_sine_0 * _S654);
 }
 
-fn light_sample_0( _S649 : u32,  _S650 : vec2<u32>,  _S651 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S656 : u32,  _S657 : vec2<u32>,  _S658 : vec3<f32>) -> LightSample_0
 {
     var sample_0 : LightSample_0;
     sample_0.distance_0 = 1.00000001504746622e+30f;
-    var _S652 : u32 = frame_record_0.lights_0;
-    if(_S649 >= (frame_record_0.lights_0))
+    var _S659 : u32 = frame_record_0.lights_0;
+    if(_S656 >= (frame_record_0.lights_0))
     {
-        var weight_8 : vec3<f32>;
-        var _S653 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S650, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S649 - _S652), u32(3)), &(weight_8));
-        sample_0.towards_1 = _S653;
-        sample_0.irradiance_1 = weight_8 / vec3<f32>(f32(frame_record_0.environment_samples_0));
+        var weight_7 : vec3<f32>;
+        var _S660 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S657, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S656 - _S659), u32(3)), &(weight_7));
+        sample_0.towards_1 = _S660;
+        sample_0.irradiance_1 = weight_7 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_0;
     }
-    var _S654 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S649);
-    sample_0.irradiance_1 = vec3<f32>(_S654.red_0, _S654.green_0, _S654.blue_0);
-    sample_0.towards_1 = vec3<f32>(_S654.x_8, _S654.y_2, _S654.z_1);
-    if((_S654.is_point_0) != u32(0))
+    var _S661 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S656);
+    sample_0.irradiance_1 = vec3<f32>(_S661.red_0, _S661.green_0, _S661.blue_0);
+    sample_0.towards_1 = vec3<f32>(_S661.x_8, _S661.y_2, _S661.z_1);
+    if((_S661.is_point_0) != u32(0))
     {
-        var _S655 : vec3<f32> = sample_0.towards_1 - _S651;
-        var _S656 : f32 = max(square_0(_S655), 9.999999960041972e-13f);
-        sample_0.distance_0 = sqrt(_S656);
-        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S656);
-        sample_0.towards_1 = normalize(_S655);
+        var _S662 : vec3<f32> = sample_0.towards_1 - _S658;
+        var _S663 : f32 = max(square_0(_S662), 9.999999960041972e-13f);
+        sample_0.distance_0 = sqrt(_S663);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S663);
+        sample_0.towards_1 = normalize(_S662);
     }
     return sample_0;
 }
 
-fn cluster_density_0( _S657 : u32,  _S658 : ViewedBase_0,  _S659 : BaseTaps_0,  _S660 : u32,  _S661 : u32) -> f32
+fn cluster_density_0( _S664 : u32,  _S665 : ViewedBase_0,  _S666 : BaseTaps_0,  _S667 : u32,  _S668 : u32) -> f32
 {
-    return BinTaps_read_0(_S659.half_vector_0, fabrics_0[_S657].clustered_0.basis_0, _S658.face_6 * u32(1024), fabrics_0[_S657].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S657].clustered_0.rank_0), _S661 * fabrics_0[_S657].clustered_0.clusters_0 + _S660);
+    return BinTaps_read_0(_S666.half_vector_0, fabrics_0[_S664].clustered_0.basis_0, _S665.face_6 * u32(1024), fabrics_0[_S664].clustered_0.clusters_0 * (u32(1) + fabrics_0[_S664].clustered_0.rank_0), _S668 * fabrics_0[_S664].clustered_0.clusters_0 + _S667);
 }
 
-fn cluster_visibility_0( _S662 : u32,  _S663 : BaseTaps_0,  _S664 : u32) -> f32
+fn cluster_visibility_0( _S669 : u32,  _S670 : BaseTaps_0,  _S671 : u32) -> f32
 {
-    return BinTaps_read_0(_S663.around_0, fabrics_0[_S662].clustered_0.light_0, _S663.first_11, fabrics_0[_S662].clustered_0.clusters_0, _S664);
+    return BinTaps_read_0(_S670.around_0, fabrics_0[_S669].clustered_0.light_0, _S670.first_11, fabrics_0[_S669].clustered_0.clusters_0, _S671);
 }
 
-fn clustered_diffuse_0( _S665 : u32,  _S666 : BaseTaps_0,  _S667 : f32,  _S668 : vec3<f32>) -> f32
+fn clustered_diffuse_0( _S672 : u32,  _S673 : BaseTaps_0,  _S674 : f32,  _S675 : vec3<f32>) -> f32
 {
-    return 0.31830987334251404f * ((1.0f - fabrics_0[_S665].diffuse_blend_0) * abs(_S666.facing_0.z) * _S667 + fabrics_0[_S665].diffuse_blend_0 * clustered_cosine_0(_S666, _S668));
+    return 0.31830987334251404f * ((1.0f - fabrics_0[_S672].diffuse_blend_0) * abs(_S673.facing_0.z) * _S674 + fabrics_0[_S672].diffuse_blend_0 * clustered_cosine_0(_S673, _S675));
 }
 
-fn cluster_attenuation_0( _S669 : u32,  _S670 : ViewedBase_0,  _S671 : BaseTaps_0,  _S672 : u32) -> f32
+fn cluster_attenuation_0( _S676 : u32,  _S677 : ViewedBase_0,  _S678 : BaseTaps_0,  _S679 : u32) -> f32
 {
-    var _S673 : u32 = fabrics_0[_S669].clustered_0.moments_1 + (_S670.face_6 * fabrics_0[_S669].clustered_0.clusters_0 + _S672) * u32(8);
-    var _S674 : vec3<f32> = vec3<f32>(table_number_0(_S673), table_number_0(_S673 + u32(1)), table_number_0(_S673 + u32(2)));
-    var _S675 : vec3<f32> = vec3<f32>(table_number_0(_S673 + u32(3)), table_number_0(_S673 + u32(4)), table_number_0(_S673 + u32(5)));
-    var _S676 : f32 = table_number_0(_S673 + u32(7));
-    var _S677 : f32 = fabrics_0[_S669].optical_depth_0;
-    var _S678 : f32 = dot(_S671.facing_0, _S674);
-    var _S679 : f32 = max(dot(_S670.view_4, _S674), 0.10000000149011612f);
-    var _S680 : f32 = projected_area_1(_S671.facing_0, _S675, _S676) / max(select(_S678, - _S678, _S671.transmits_1), 0.10000000149011612f);
-    var _S681 : f32 = projected_area_1(_S670.view_4, _S675, _S676) / _S679;
-    if(!_S671.transmits_1)
+    var _S680 : u32 = fabrics_0[_S676].clustered_0.moments_1 + (_S677.face_6 * fabrics_0[_S676].clustered_0.clusters_0 + _S679) * u32(8);
+    var _S681 : vec3<f32> = vec3<f32>(table_number_0(_S680), table_number_0(_S680 + u32(1)), table_number_0(_S680 + u32(2)));
+    var _S682 : vec3<f32> = vec3<f32>(table_number_0(_S680 + u32(3)), table_number_0(_S680 + u32(4)), table_number_0(_S680 + u32(5)));
+    var _S683 : f32 = table_number_0(_S680 + u32(7));
+    var _S684 : f32 = fabrics_0[_S676].optical_depth_0;
+    var _S685 : f32 = dot(_S678.facing_0, _S681);
+    var _S686 : f32 = max(dot(_S677.view_4, _S681), 0.10000000149011612f);
+    var _S687 : f32 = projected_area_1(_S678.facing_0, _S682, _S683) / max(select(_S685, - _S685, _S678.transmits_1), 0.10000000149011612f);
+    var _S688 : f32 = projected_area_1(_S677.view_4, _S682, _S683) / _S686;
+    if(!_S678.transmits_1)
     {
-        var _S682 : f32 = _S680 + _S681;
-        return 0.25f * (1.0f - exponential_0(- _S677 * _S682)) / (_S682 * _S679);
+        var _S689 : f32 = _S687 + _S688;
+        return 0.25f * (1.0f - exponential_0(- _S684 * _S689)) / (_S689 * _S686);
     }
-    var _S683 : f32 = max(_S677 * abs(_S680 - _S681), 0.00100000004749745f);
-    return 0.25f * _S677 * exponential_0(- _S677 * min(_S680, _S681)) * (1.0f - exponential_0(- _S683)) / (_S683 * _S679);
+    var _S690 : f32 = max(_S684 * abs(_S687 - _S688), 0.00100000004749745f);
+    return 0.25f * _S684 * exponential_0(- _S684 * min(_S687, _S688)) * (1.0f - exponential_0(- _S690)) / (_S690 * _S686);
 }
 
-fn clustered_base_0( _S684 : u32,  _S685 : ViewedBase_0,  _S686 : BaseTaps_0) -> Components_0
+fn clustered_base_0( _S691 : u32,  _S692 : ViewedBase_0,  _S693 : BaseTaps_0) -> Components_0
 {
-    var _S687 : Clustered_std430_0 = fabrics_0[_S684].clustered_0;
-    var _S688 : u32 = _S687.clusters_0;
-    var _S689 : u32 = _S687.rank_0;
+    var _S694 : Clustered_std430_0 = fabrics_0[_S691].clustered_0;
+    var _S695 : u32 = _S694.clusters_0;
+    var _S696 : u32 = _S694.rank_0;
     var base_1 : Components_0 = no_components_0();
     var cluster_2 : u32 = u32(0);
     for(;;)
     {
-        if(cluster_2 < _S688)
+        if(cluster_2 < _S695)
         {
         }
         else
         {
             break;
         }
-        var _S690 : f32 = box_mean_1(&(_S687), _S685.box_5, _S685.face_6, cluster_2);
-        if(_S690 <= 0.0f)
+        var _S697 : f32 = box_mean_1(&(_S694), _S692.box_5, _S692.face_6, cluster_2);
+        if(_S697 <= 0.0f)
         {
             cluster_2 = cluster_2 + u32(1);
             continue;
         }
-        var _S691 : f32 = _S690 * cluster_density_0(_S684, _S685, _S686, cluster_2, u32(0));
+        var _S698 : f32 = _S697 * cluster_density_0(_S691, _S692, _S693, cluster_2, u32(0));
         var number_10 : u32 = u32(1);
-        var density_0 : f32 = _S691;
+        var density_0 : f32 = _S698;
         for(;;)
         {
-            if(number_10 <= _S689)
+            if(number_10 <= _S696)
             {
             }
             else
             {
                 break;
             }
-            var _S692 : f32 = box_mean_1(&(_S687), _S685.box_5, _S685.face_6, number_10 * _S688 + cluster_2);
-            var density_1 : f32 = density_0 + _S692 * cluster_density_0(_S684, _S685, _S686, cluster_2, number_10);
+            var _S699 : f32 = box_mean_1(&(_S694), _S692.box_5, _S692.face_6, number_10 * _S695 + cluster_2);
+            var density_1 : f32 = density_0 + _S699 * cluster_density_0(_S691, _S692, _S693, cluster_2, number_10);
             number_10 = number_10 + u32(1);
             density_0 = density_1;
         }
-        var _S693 : f32 = box_mean_1(&(_S687), _S685.box_5, _S685.face_6, (_S689 + u32(1)) * _S688 + cluster_2);
-        var _S694 : f32 = box_mean_1(&(_S687), _S685.box_5, _S685.face_6, (_S689 + u32(2)) * _S688 + cluster_2);
-        var _S695 : f32 = box_mean_1(&(_S687), _S685.box_5, _S685.face_6, (_S689 + u32(3)) * _S688 + cluster_2);
-        var _S696 : f32 = cluster_visibility_0(_S684, _S686, cluster_2);
-        base_1 = with_added_0(base_1, of_family_0(cluster_2 < (_S688 / u32(2)), _S696 * clustered_diffuse_0(_S684, _S686, _S690, vec3<f32>(_S693, _S694, _S695)), _S696 * cluster_attenuation_0(_S684, _S685, _S686, cluster_2) * density_0, _S690 * _S696), 1.0f);
+        var _S700 : f32 = box_mean_1(&(_S694), _S692.box_5, _S692.face_6, (_S696 + u32(1)) * _S695 + cluster_2);
+        var _S701 : f32 = box_mean_1(&(_S694), _S692.box_5, _S692.face_6, (_S696 + u32(2)) * _S695 + cluster_2);
+        var _S702 : f32 = box_mean_1(&(_S694), _S692.box_5, _S692.face_6, (_S696 + u32(3)) * _S695 + cluster_2);
+        var _S703 : f32 = cluster_visibility_0(_S691, _S693, cluster_2);
+        base_1 = with_added_0(base_1, of_family_0(cluster_2 < (_S695 / u32(2)), _S703 * clustered_diffuse_0(_S691, _S693, _S697, vec3<f32>(_S700, _S701, _S702)), _S703 * cluster_attenuation_0(_S691, _S692, _S693, cluster_2) * density_0, _S697 * _S703), 1.0f);
         cluster_2 = cluster_2 + u32(1);
     }
     return base_1;
 }
 
-fn with_shares_0( _S697 : u32,  _S698 : Components_0,  _S699 : Yarns_0) -> Components_0
+fn with_shares_0( _S704 : u32,  _S705 : Components_0,  _S706 : Yarns_0) -> Components_0
 {
     var result_7 : Components_0;
-    var _S700 : f32 = min(_S698.hole_0 * _S699.shares_0.z, 1.0f);
-    result_7.hole_0 = _S700;
-    var _S701 : f32 = _S699.shares_0.x;
-    result_7.diffuse_warp_0 = _S698.diffuse_warp_0 * _S701;
-    var _S702 : f32 = _S699.shares_0.y;
-    result_7.diffuse_weft_0 = _S698.diffuse_weft_0 * _S702;
-    result_7.specular_warp_0 = _S698.specular_warp_0 * _S701;
-    result_7.specular_weft_0 = _S698.specular_weft_0 * _S702;
-    result_7.light_visibility_1 = _S698.light_visibility_1 * select(1.0f, (1.0f - _S700) / max(1.0f - _S698.hole_0, 9.99999997475242708e-07f), (fabrics_0[_S697].is_irregular_0) != u32(0));
+    var _S707 : f32 = min(_S705.hole_0 * _S706.shares_0.z, 1.0f);
+    result_7.hole_0 = _S707;
+    var _S708 : f32 = _S706.shares_0.x;
+    result_7.diffuse_warp_0 = _S705.diffuse_warp_0 * _S708;
+    var _S709 : f32 = _S706.shares_0.y;
+    result_7.diffuse_weft_0 = _S705.diffuse_weft_0 * _S709;
+    result_7.specular_warp_0 = _S705.specular_warp_0 * _S708;
+    result_7.specular_weft_0 = _S705.specular_weft_0 * _S709;
+    result_7.light_visibility_1 = _S705.light_visibility_1 * select(1.0f, (1.0f - _S707) / max(1.0f - _S705.hole_0, 9.99999997475242708e-07f), (fabrics_0[_S704].is_irregular_0) != u32(0));
     return result_7;
 }
 
-fn as_seen_0( _S703 : u32,  _S704 : ClusteredView_0,  _S705 : Components_0) -> Components_0
+fn as_seen_0( _S710 : u32,  _S711 : ClusteredView_0,  _S712 : Components_0) -> Components_0
 {
-    var whole_1 : Components_0 = _S705;
-    whole_1.hole_0 = _S704.even_hole_0;
-    return with_shares_0(_S703, whole_1, _S704.yarns_0);
+    var whole_1 : Components_0 = _S712;
+    whole_1.hole_0 = _S711.even_hole_0;
+    return with_shares_0(_S710, whole_1, _S711.yarns_0);
 }
 
-fn diffuse_kept_0( _S706 : u32,  _S707 : vec3<f32>,  _S708 : vec3<f32>) -> f32
+fn diffuse_kept_0( _S713 : u32,  _S714 : vec3<f32>,  _S715 : vec3<f32>) -> f32
 {
-    return (1.0f - fabrics_0[_S706].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S707.z), 0.0f))) * (1.0f - fabrics_0[_S706].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S708.z), 0.0f)));
+    return (1.0f - fabrics_0[_S713].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S714.z), 0.0f))) * (1.0f - fabrics_0[_S713].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S715.z), 0.0f)));
 }
 
-fn highlight_rise_0( _S709 : u32,  _S710 : vec3<f32>,  _S711 : vec3<f32>) -> f32
+fn highlight_rise_0( _S716 : u32,  _S717 : vec3<f32>,  _S718 : vec3<f32>) -> f32
 {
-    var _S712 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S710, _S711) + 0.5f, 9.99999993922529029e-09f, 1.0f));
-    return fabrics_0[_S709].grazing_gain_0 * fourth_power_0(_S712) * _S712;
+    var _S719 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S717, _S718) + 0.5f, 9.99999993922529029e-09f, 1.0f));
+    return fabrics_0[_S716].grazing_gain_0 * fourth_power_0(_S719) * _S719;
 }
 
-fn towards_grazing_0( _S713 : u32,  _S714 : Albedos_0,  _S715 : vec3<f32>,  _S716 : vec3<f32>) -> Albedos_0
+fn towards_grazing_0( _S720 : u32,  _S721 : Albedos_0,  _S722 : vec3<f32>,  _S723 : vec3<f32>) -> Albedos_0
 {
-    var _S717 : f32 = diffuse_kept_0(_S713, _S715, _S716);
-    var result_8 : Albedos_0 = _S714;
-    var _S718 : vec3<f32> = vec3<f32>(_S717);
-    result_8.diffuse_reflect_0 = result_8.diffuse_reflect_0 * _S718;
-    result_8.diffuse_transmit_0 = result_8.diffuse_transmit_0 * _S718;
-    result_8.specular_reflect_0 = result_8.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S713, _S715, _S716));
+    var _S724 : f32 = diffuse_kept_0(_S720, _S722, _S723);
+    var result_8 : Albedos_0 = _S721;
+    var _S725 : vec3<f32> = vec3<f32>(_S724);
+    result_8.diffuse_reflect_0 = result_8.diffuse_reflect_0 * _S725;
+    result_8.diffuse_transmit_0 = result_8.diffuse_transmit_0 * _S725;
+    result_8.specular_reflect_0 = result_8.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S720, _S722, _S723));
     return result_8;
 }
 
-fn shaded_0( _S719 : u32,  _S720 : Components_0,  _S721 : FamilyAlbedos_0,  _S722 : vec3<f32>,  _S723 : vec3<f32>,  _S724 : bool) -> vec3<f32>
+fn shaded_0( _S726 : u32,  _S727 : Components_0,  _S728 : FamilyAlbedos_0,  _S729 : vec3<f32>,  _S730 : vec3<f32>,  _S731 : bool) -> vec3<f32>
 {
-    var _S725 : Albedos_0 = towards_grazing_0(_S719, _S721.warp_3, _S722, _S723);
-    var _S726 : Albedos_0 = towards_grazing_0(_S719, _S721.weft_3, _S722, _S723);
-    if(_S724)
+    var _S732 : Albedos_0 = towards_grazing_0(_S726, _S728.warp_3, _S729, _S730);
+    var _S733 : Albedos_0 = towards_grazing_0(_S726, _S728.weft_3, _S729, _S730);
+    if(_S731)
     {
-        return _S725.diffuse_transmit_0 * vec3<f32>(_S720.diffuse_warp_0) + _S726.diffuse_transmit_0 * vec3<f32>(_S720.diffuse_weft_0) + _S725.specular_transmit_0 * vec3<f32>(_S720.specular_warp_0) + _S726.specular_transmit_0 * vec3<f32>(_S720.specular_weft_0);
+        return _S732.diffuse_transmit_0 * vec3<f32>(_S727.diffuse_warp_0) + _S733.diffuse_transmit_0 * vec3<f32>(_S727.diffuse_weft_0) + _S732.specular_transmit_0 * vec3<f32>(_S727.specular_warp_0) + _S733.specular_transmit_0 * vec3<f32>(_S727.specular_weft_0);
     }
-    return _S725.diffuse_reflect_0 * vec3<f32>(_S720.diffuse_warp_0) + _S726.diffuse_reflect_0 * vec3<f32>(_S720.diffuse_weft_0) + _S725.specular_reflect_0 * vec3<f32>(_S720.specular_warp_0) + _S726.specular_reflect_0 * vec3<f32>(_S720.specular_weft_0);
+    return _S732.diffuse_reflect_0 * vec3<f32>(_S727.diffuse_warp_0) + _S733.diffuse_reflect_0 * vec3<f32>(_S727.diffuse_weft_0) + _S732.specular_reflect_0 * vec3<f32>(_S727.specular_warp_0) + _S733.specular_reflect_0 * vec3<f32>(_S727.specular_weft_0);
 }
 
-fn under_sheen_0( _S727 : u32,  _S728 : ClusteredView_0,  _S729 : vec3<f32>,  _S730 : f32,  _S731 : vec3<f32>) -> vec3<f32>
+fn under_sheen_0( _S734 : u32,  _S735 : ClusteredView_0,  _S736 : vec3<f32>,  _S737 : f32,  _S738 : vec3<f32>) -> vec3<f32>
 {
-    var _S732 : f32 = fabrics_0[_S727].sheen_strength_0;
-    if((fabrics_0[_S727].sheen_strength_0) <= 0.0f)
+    var _S739 : f32 = fabrics_0[_S734].sheen_strength_0;
+    if((fabrics_0[_S734].sheen_strength_0) <= 0.0f)
     {
-        return _S729;
+        return _S736;
     }
-    var _S733 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S731, _S728.base_0.back_6), _S728.base_0.view_4, _S732, fabrics_0[_S727].sheen_roughness_0);
-    return vec3<f32>(_S733.y) * _S729 + vec3<f32>((_S730 * _S733.x));
+    var _S740 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S738, _S735.base_0.back_6), _S735.base_0.view_4, _S739, fabrics_0[_S734].sheen_roughness_0);
+    return vec3<f32>(_S740.y) * _S736 + vec3<f32>((_S737 * _S740.x));
 }
 
-fn clustered_base_value_0( _S734 : u32,  _S735 : ClusteredView_0,  _S736 : vec3<f32>) -> vec3<f32>
+fn clustered_base_value_0( _S741 : u32,  _S742 : ClusteredView_0,  _S743 : vec3<f32>) -> vec3<f32>
 {
-    var _S737 : BaseTaps_0 = base_taps_0(_S735.base_0, _S736);
-    var _S738 : Components_0 = as_seen_0(_S734, _S735, clustered_base_0(_S734, _S735.base_0, _S737));
-    return under_sheen_0(_S734, _S735, shaded_0(_S734, _S738, _S735.albedos_11, _S736, _S735.view_8, _S737.transmits_1) + bounced_value_0(_S735.bounced_2, _S736, _S735.view_8) * vec3<f32>(diffuse_kept_0(_S734, _S736, _S735.view_8)), _S738.light_visibility_1 + _S735.hole_1, _S736);
+    var _S744 : BaseTaps_0 = base_taps_0(_S742.base_0, _S743);
+    var _S745 : Components_0 = as_seen_0(_S741, _S742, clustered_base_0(_S741, _S742.base_0, _S744));
+    return under_sheen_0(_S741, _S742, shaded_0(_S741, _S745, _S742.albedos_11, _S743, _S742.view_8, _S744.transmits_1) + bounced_value_0(_S742.bounced_2, _S743, _S742.view_8) * vec3<f32>(diffuse_kept_0(_S741, _S743, _S742.view_8)), _S745.light_visibility_1 + _S742.hole_1, _S743);
 }
 
 struct TexelTerms_0
@@ -2685,108 +2707,108 @@ struct TexelTerms_0
      known_0 : Components_0,
 };
 
-fn coefficient_0( _S739 : u32,  _S740 : u32,  _S741 : u32) -> f32
+fn coefficient_0( _S746 : u32,  _S747 : u32,  _S748 : u32) -> f32
 {
-    var _S742 : i32 = i32(table_byte_0(fabrics_0[_S739].clustered_0.coefficients_0, _S740 * (fabrics_0[_S739].clustered_0.rank_0 + u32(3)) + _S741));
-    return f32(select(_S742, _S742 - i32(256), _S742 > i32(127)));
+    var _S749 : i32 = i32(table_byte_0(fabrics_0[_S746].clustered_0.coefficients_0, _S747 * (fabrics_0[_S746].clustered_0.rank_0 + u32(3)) + _S748));
+    return f32(select(_S749, _S749 - i32(256), _S749 > i32(127)));
 }
 
-fn at_texel_0( _S743 : u32,  _S744 : ViewedBase_0,  _S745 : u32,  _S746 : BaseTaps_0) -> TexelTerms_0
+fn at_texel_0( _S750 : u32,  _S751 : ViewedBase_0,  _S752 : u32,  _S753 : BaseTaps_0) -> TexelTerms_0
 {
-    var _S747 : Clustered_std430_0 = fabrics_0[_S743].clustered_0;
-    var _S748 : u32 = fabrics_0[_S743].clustered_0.columns_0 * fabrics_0[_S743].clustered_0.rows_0;
-    var _S749 : u32 = _S744.face_6 * _S748 + _S745;
-    var _S750 : u32 = table_byte_0(fabrics_0[_S743].clustered_0.labels_0, _S749);
+    var _S754 : Clustered_std430_0 = fabrics_0[_S750].clustered_0;
+    var _S755 : u32 = fabrics_0[_S750].clustered_0.columns_0 * fabrics_0[_S750].clustered_0.rows_0;
+    var _S756 : u32 = _S751.face_6 * _S755 + _S752;
+    var _S757 : u32 = table_byte_0(fabrics_0[_S750].clustered_0.labels_0, _S756);
     var terms_5 : TexelTerms_0;
-    var _S751 : Components_0 = no_components_0();
-    terms_5.own_2 = _S751;
-    terms_5.known_0 = _S751;
-    if(_S750 >= (fabrics_0[_S743].clustered_0.clusters_0))
+    var _S758 : Components_0 = no_components_0();
+    terms_5.own_2 = _S758;
+    terms_5.known_0 = _S758;
+    if(_S757 >= (fabrics_0[_S750].clustered_0.clusters_0))
     {
         return terms_5;
     }
-    var _S752 : f32 = cluster_density_0(_S743, _S744, _S746, _S750, u32(0));
+    var _S759 : f32 = cluster_density_0(_S750, _S751, _S753, _S757, u32(0));
     var number_11 : u32 = u32(1);
-    var density_2 : f32 = _S752;
+    var density_2 : f32 = _S759;
     for(;;)
     {
-        if(number_11 <= (_S747.rank_0))
+        if(number_11 <= (_S754.rank_0))
         {
         }
         else
         {
             break;
         }
-        var density_3 : f32 = density_2 + coefficient_0(_S743, _S749, number_11 - u32(1)) * cluster_density_0(_S743, _S744, _S746, _S750, number_11);
+        var density_3 : f32 = density_2 + coefficient_0(_S750, _S756, number_11 - u32(1)) * cluster_density_0(_S750, _S751, _S753, _S757, number_11);
         number_11 = number_11 + u32(1);
         density_2 = density_3;
     }
-    var _S753 : f32 = cluster_attenuation_0(_S743, _S744, _S746, _S750) * density_2;
-    var _S754 : f32 = clustered_cosine_0(_S746, vec3<f32>(coefficient_0(_S743, _S749, _S747.rank_0), coefficient_0(_S743, _S749, _S747.rank_0 + u32(1)), coefficient_0(_S743, _S749, _S747.rank_0 + u32(2))));
-    var _S755 : f32 = abs(_S746.facing_0.z);
-    var _S756 : f32 = gaussian_visibility_0(_S747.texels_2 + (select(_S744.face_6, u32(1) - _S744.face_6, _S746.transmits_1) * _S748 + _S745) * u32(12), vec3<f32>(_S746.facing_0.xy, _S755));
-    var _S757 : f32 = 0.31830987334251404f * (1.0f - fabrics_0[_S743].diffuse_blend_0) * _S755;
-    var _S758 : f32 = cluster_visibility_0(_S743, _S746, _S750);
-    var _S759 : bool = _S750 < (_S747.clusters_0 / u32(2));
-    var _S760 : f32 = 0.31830987334251404f * fabrics_0[_S743].diffuse_blend_0;
-    terms_5.own_2 = of_family_0(_S759, _S756 * (_S757 + _S760 * max(_S754, 0.0f)), _S756 * _S753, _S756);
-    terms_5.known_0 = of_family_0(_S759, _S758 * (_S757 + _S760 * _S754), _S758 * _S753, _S758);
+    var _S760 : f32 = cluster_attenuation_0(_S750, _S751, _S753, _S757) * density_2;
+    var _S761 : f32 = clustered_cosine_0(_S753, vec3<f32>(coefficient_0(_S750, _S756, _S754.rank_0), coefficient_0(_S750, _S756, _S754.rank_0 + u32(1)), coefficient_0(_S750, _S756, _S754.rank_0 + u32(2))));
+    var _S762 : f32 = abs(_S753.facing_0.z);
+    var _S763 : f32 = gaussian_visibility_0(_S754.texels_2 + (select(_S751.face_6, u32(1) - _S751.face_6, _S753.transmits_1) * _S755 + _S752) * u32(12), vec3<f32>(_S753.facing_0.xy, _S762));
+    var _S764 : f32 = 0.31830987334251404f * (1.0f - fabrics_0[_S750].diffuse_blend_0) * _S762;
+    var _S765 : f32 = cluster_visibility_0(_S750, _S753, _S757);
+    var _S766 : bool = _S757 < (_S754.clusters_0 / u32(2));
+    var _S767 : f32 = 0.31830987334251404f * fabrics_0[_S750].diffuse_blend_0;
+    terms_5.own_2 = of_family_0(_S766, _S763 * (_S764 + _S767 * max(_S761, 0.0f)), _S763 * _S760, _S763);
+    terms_5.known_0 = of_family_0(_S766, _S765 * (_S764 + _S767 * _S761), _S765 * _S760, _S765);
     return terms_5;
 }
 
-fn texel_albedos_0( _S761 : u32,  _S762 : ClusteredView_0,  _S763 : u32) -> Albedos_0
+fn texel_albedos_0( _S768 : u32,  _S769 : ClusteredView_0,  _S770 : u32) -> Albedos_0
 {
-    var _S764 : u32 = _S762.base_0.face_6 * fabrics_0[_S761].clustered_0.columns_0 * fabrics_0[_S761].clustered_0.rows_0 + _S763;
-    var _S765 : bool = (table_byte_0(fabrics_0[_S761].clustered_0.labels_0, _S764)) < (fabrics_0[_S761].clustered_0.clusters_0 / u32(2));
-    var _S766 : u32 = select(fabrics_0[_S761].weft_0, fabrics_0[_S761].warp_0, _S765);
-    var _S767 : u32 = fabrics_0[_S761].clustered_0.texels_2 + _S764 * u32(12) + u32(9);
-    var _S768 : Albedos_0 = table_albedos_0(families_0[_S766].albedo_table_0 + min(u32(table_number_0(_S767)) + u32(1024) * u32(table_number_0(_S767 + u32(1))), u32(families_0[_S766].count_0) - u32(1)) * families_0[_S766].albedo_stride_0);
-    if((fabrics_0[_S761].is_irregular_0) == u32(0))
+    var _S771 : u32 = _S769.base_0.face_6 * fabrics_0[_S768].clustered_0.columns_0 * fabrics_0[_S768].clustered_0.rows_0 + _S770;
+    var _S772 : bool = (table_byte_0(fabrics_0[_S768].clustered_0.labels_0, _S771)) < (fabrics_0[_S768].clustered_0.clusters_0 / u32(2));
+    var _S773 : u32 = select(fabrics_0[_S768].weft_0, fabrics_0[_S768].warp_0, _S772);
+    var _S774 : u32 = fabrics_0[_S768].clustered_0.texels_2 + _S771 * u32(12) + u32(9);
+    var _S775 : Albedos_0 = table_albedos_0(families_0[_S773].albedo_table_0 + min(u32(table_number_0(_S774)) + u32(1024) * u32(table_number_0(_S774 + u32(1))), u32(families_0[_S773].count_0) - u32(1)) * families_0[_S773].albedo_stride_0);
+    if((fabrics_0[_S768].is_irregular_0) == u32(0))
     {
-        return _S768;
+        return _S775;
     }
-    return toned_0(_S761, _S766, _S768, select_vector_0(_S765, _S762.yarns_0.warp_1, _S762.yarns_0.weft_1));
+    return toned_0(_S768, _S773, _S775, select_vector_0(_S772, _S769.yarns_0.warp_1, _S769.yarns_0.weft_1));
 }
 
-fn clustered_residual_0( _S769 : u32,  _S770 : ClusteredView_0,  _S771 : u32,  _S772 : vec3<f32>,  _S773 : vec3<f32>) -> vec3<f32>
+fn clustered_residual_0( _S776 : u32,  _S777 : ClusteredView_0,  _S778 : u32,  _S779 : vec3<f32>,  _S780 : vec3<f32>) -> vec3<f32>
 {
-    var _S774 : BaseTaps_0 = base_taps_0(_S770.base_0, _S773);
-    var _S775 : TexelTerms_0 = at_texel_0(_S769, _S770.base_0, _S771, _S774);
+    var _S781 : BaseTaps_0 = base_taps_0(_S777.base_0, _S780);
+    var _S782 : TexelTerms_0 = at_texel_0(_S776, _S777.base_0, _S778, _S781);
     var own_3 : FamilyAlbedos_0;
-    var _S776 : Albedos_0 = tinted_0(texel_albedos_0(_S769, _S770, _S771), _S772);
-    own_3.warp_3 = _S776;
-    own_3.weft_3 = _S776;
-    var _S777 : Components_0 = as_seen_0(_S769, _S770, _S775.own_2);
-    var _S778 : Components_0 = as_seen_0(_S769, _S770, _S775.known_0);
-    return under_sheen_0(_S769, _S770, shaded_0(_S769, _S777, own_3, _S773, _S770.view_8, _S774.transmits_1) - shaded_0(_S769, _S778, _S770.albedos_11, _S773, _S770.view_8, _S774.transmits_1), _S777.light_visibility_1 - _S778.light_visibility_1, _S773);
+    var _S783 : Albedos_0 = tinted_0(texel_albedos_0(_S776, _S777, _S778), _S779);
+    own_3.warp_3 = _S783;
+    own_3.weft_3 = _S783;
+    var _S784 : Components_0 = as_seen_0(_S776, _S777, _S782.own_2);
+    var _S785 : Components_0 = as_seen_0(_S776, _S777, _S782.known_0);
+    return under_sheen_0(_S776, _S777, shaded_0(_S776, _S784, own_3, _S780, _S777.view_8, _S781.transmits_1) - shaded_0(_S776, _S785, _S777.albedos_11, _S780, _S777.view_8, _S781.transmits_1), _S784.light_visibility_1 - _S785.light_visibility_1, _S780);
 }
 
-fn passed_by_sheen_0( _S779 : u32,  _S780 : f32,  _S781 : vec3<f32>) -> f32
+fn passed_by_sheen_0( _S786 : u32,  _S787 : f32,  _S788 : vec3<f32>) -> f32
 {
-    var _S782 : f32 = fabrics_0[_S779].sheen_strength_0;
-    if((fabrics_0[_S779].sheen_strength_0) <= 0.0f)
+    var _S789 : f32 = fabrics_0[_S786].sheen_strength_0;
+    if((fabrics_0[_S786].sheen_strength_0) <= 0.0f)
     {
-        return _S780;
+        return _S787;
     }
-    return _S780 * (1.0f - _S782 * sheen_lobe_0(abs(_S781.z), fabrics_0[_S779].sheen_roughness_0).z);
+    return _S787 * (1.0f - _S789 * sheen_lobe_0(abs(_S788.z), fabrics_0[_S786].sheen_roughness_0).z);
 }
 
-fn light_of_clustered_0( _S783 : u32,  _S784 : VisiblePoint_0,  _S785 : vec2<u32>,  _S786 : vec3<f32>) -> vec4<f32>
+fn light_of_clustered_0( _S790 : u32,  _S791 : VisiblePoint_0,  _S792 : vec2<u32>,  _S793 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.dx_0 = _S784.draft_dx_0;
-    footprint_1.dy_0 = _S784.draft_dy_0;
-    footprint_1.centre_0 = irregular_place_0(_S783, _S784.draft_0, Footprint_spread_side_0(footprint_1));
-    var _S787 : vec3<f32> = to_local_0(_S784, _S784.view_0);
-    var _S788 : Clustered_std430_0 = fabrics_0[_S783].clustered_0;
-    var _S789 : u32 = mixed_0(mixed_0(_S785.x + u32(65536) * _S785.y) + frame_record_0.pass_number_0 * u32(2654435769));
-    var _S790 : ClusteredView_0 = clustered_view_0(_S783, footprint_1, _S787, _S786, _S789);
-    var _S791 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_1.dx_0 = _S791.draft_dx_0;
+    footprint_1.dy_0 = _S791.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S790, _S791.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S794 : vec3<f32> = to_local_0(_S791, _S791.view_0);
+    var _S795 : Clustered_std430_0 = fabrics_0[_S790].clustered_0;
+    var _S796 : u32 = mixed_0(mixed_0(_S792.x + u32(65536) * _S792.y) + frame_record_0.pass_number_0 * u32(2654435769));
+    var _S797 : ClusteredView_0 = clustered_view_0(_S790, footprint_1, _S794, _S793, _S796);
+    var _S798 : vec3<f32> = vec3<f32>(0.0f);
     var term_3 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S791;
+    var radiance_1 : vec3<f32> = _S798;
     for(;;)
     {
-        if(term_3 <= (_S788.samples_1))
+        if(term_3 <= (_S795.samples_1))
         {
         }
         else
@@ -2796,7 +2818,7 @@ fn light_of_clustered_0( _S783 : u32,  _S784 : VisiblePoint_0,  _S785 : vec2<u32
         var texel_0 : u32;
         if(term_3 > u32(0))
         {
-            texel_0 = residual_texel_0(_S783, _S790, _S789, term_3 - u32(1));
+            texel_0 = residual_texel_0(_S790, _S797, _S796, term_3 - u32(1));
         }
         else
         {
@@ -2813,61 +2835,61 @@ fn light_of_clustered_0( _S783 : u32,  _S784 : VisiblePoint_0,  _S785 : vec2<u32
             {
                 break;
             }
-            var _S792 : f32 = visibility_at_0(number_12, _S785);
-            if(_S792 <= 0.0f)
+            var _S799 : f32 = visibility_at_0(number_12, _S792);
+            if(_S799 <= 0.0f)
             {
                 number_12 = number_12 + u32(1);
                 continue;
             }
-            var _S793 : LightSample_0 = light_sample_0(number_12, _S785, _S784.position_4);
-            var _S794 : vec3<f32> = to_local_0(_S784, _S793.towards_1);
+            var _S800 : LightSample_0 = light_sample_0(number_12, _S792, _S791.position_4);
+            var _S801 : vec3<f32> = to_local_0(_S791, _S800.towards_1);
             var value_2 : vec3<f32>;
             if(term_3 == u32(0))
             {
-                value_2 = clustered_base_value_0(_S783, _S790, _S794);
+                value_2 = clustered_base_value_0(_S790, _S797, _S801);
             }
             else
             {
-                value_2 = clustered_residual_0(_S783, _S790, texel_0, _S786, _S794) / vec3<f32>(f32(_S788.samples_1));
+                value_2 = clustered_residual_0(_S790, _S797, texel_0, _S793, _S801) / vec3<f32>(f32(_S795.samples_1));
             }
-            radiance_2 = radiance_2 + vec3<f32>(_S792) * _S793.irradiance_1 * value_2;
+            radiance_2 = radiance_2 + vec3<f32>(_S799) * _S800.irradiance_1 * value_2;
             number_12 = number_12 + u32(1);
         }
         term_3 = term_3 + u32(1);
         radiance_1 = radiance_2;
     }
-    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S783, _S790.hole_1, _S787));
+    return vec4<f32>(radiance_1, 1.0f - passed_by_sheen_0(_S790, _S797.hole_1, _S794));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_clustered(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S795 : u32 = id_0.x;
-    var _S796 : bool;
-    if(_S795 >= (frame_record_0.width_0))
+    var _S802 : u32 = id_0.x;
+    var _S803 : bool;
+    if(_S802 >= (frame_record_0.width_0))
     {
-        _S796 = true;
+        _S803 = true;
     }
     else
     {
-        _S796 = (id_0.y) >= (frame_record_0.height_0);
+        _S803 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S796)
+    if(_S803)
     {
         return;
     }
-    var _S797 : u32 = id_0.y * frame_record_0.width_0 + _S795;
-    var _S798 : u32 = layers_0[_S797].face_0;
-    if((layers_0[_S797].face_0) == u32(0))
+    var _S804 : u32 = id_0.y * frame_record_0.width_0 + _S802;
+    var _S805 : u32 = layers_0[_S804].face_0;
+    if((layers_0[_S804].face_0) == u32(0))
     {
         return;
     }
-    var _S799 : u32 = _S798 - u32(1);
-    var _S800 : u32 = fabric_of_0(_S799);
-    var _S801 : vec2<u32> = id_0.xy;
-    var _S802 : VisiblePoint_0 = visible_point_0(_S800, _S799, _S801);
-    accumulate_0(_S797, light_of_clustered_0(_S800, _S802, _S801, filtered_albedo_0(_S800, _S802)));
+    var _S806 : u32 = _S805 - u32(1);
+    var _S807 : u32 = fabric_of_0(_S806);
+    var _S808 : vec2<u32> = id_0.xy;
+    var _S809 : VisiblePoint_0 = visible_point_0(_S807, _S806, _S808);
+    accumulate_0(_S804, light_of_clustered_0(_S807, _S809, _S808, filtered_albedo_0(_S807, _S809)));
     return;
 }
 

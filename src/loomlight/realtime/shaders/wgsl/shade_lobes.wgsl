@@ -1882,13 +1882,15 @@ fn LayersBehind_x24init_0( reflected_1 : vec3<f32>,  transmitted_1 : vec3<f32>) 
 struct LayeredAlbedos_0
 {
      albedos_2 : FamilyAlbedos_0,
+     means_0 : FamilyAlbedos_0,
      behind_0 : LayersBehind_0,
 };
 
-fn LayeredAlbedos_x24init_0( albedos_3 : FamilyAlbedos_0,  behind_1 : LayersBehind_0) -> LayeredAlbedos_0
+fn LayeredAlbedos_x24init_0( albedos_3 : FamilyAlbedos_0,  means_1 : FamilyAlbedos_0,  behind_1 : LayersBehind_0) -> LayeredAlbedos_0
 {
     var _S282 : LayeredAlbedos_0;
     _S282.albedos_2 = albedos_3;
+    _S282.means_0 = means_1;
     _S282.behind_0 = behind_1;
     return _S282;
 }
@@ -1896,15 +1898,21 @@ fn LayeredAlbedos_x24init_0( albedos_3 : FamilyAlbedos_0,  behind_1 : LayersBehi
 struct LayerSums_0
 {
      albedos_4 : Albedos_0,
+     means_2 : Albedos_0,
      weight_3 : f32,
+     lit_0 : f32,
+     passed_0 : f32,
      behind_2 : LayersBehind_0,
 };
 
-fn LayerSums_x24init_0( albedos_5 : Albedos_0,  weight_4 : f32,  behind_3 : LayersBehind_0) -> LayerSums_0
+fn LayerSums_x24init_0( albedos_5 : Albedos_0,  means_3 : Albedos_0,  weight_4 : f32,  lit_1 : f32,  passed_1 : f32,  behind_3 : LayersBehind_0) -> LayerSums_0
 {
     var _S283 : LayerSums_0;
     _S283.albedos_4 = albedos_5;
+    _S283.means_2 = means_3;
     _S283.weight_3 = weight_4;
+    _S283.lit_0 = lit_1;
+    _S283.passed_0 = passed_1;
     _S283.behind_2 = behind_3;
     return _S283;
 }
@@ -2099,7 +2107,7 @@ fn albedos_in_0( plane_8 : Plane_0,  centre_2 : vec2<f32>,  size_6 : vec2<f32>, 
     return albedos_9;
 }
 
-fn rate_terms_0( direction_9 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
+fn rate_terms_0( direction_9 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(7)>>)
 {
     var _S325 : f32 = 1.0f - direction_9.z;
     var _S326 : f32 = _S325 * _S325;
@@ -2108,23 +2116,25 @@ fn rate_terms_0( direction_9 : vec3<f32>,  terms_0 : ptr<function, array<f32, i3
     var _S329 : f32 = direction_9.y;
     var _S330 : f32 = _S329 * _S329;
     var _S331 : f32 = _S328 - _S330;
-    (*terms_0)[i32(0)] = sqrt(_S328 + _S330);
-    (*terms_0)[i32(1)] = _S326;
-    (*terms_0)[i32(2)] = _S326 * _S326;
-    (*terms_0)[i32(3)] = _S331;
-    (*terms_0)[i32(4)] = _S327 * _S329;
-    (*terms_0)[i32(5)] = _S331 * _S331;
+    var _S332 : f32 = _S328 + _S330;
+    (*terms_0)[i32(1)] = _S332;
+    (*terms_0)[i32(0)] = sqrt(_S332);
+    (*terms_0)[i32(2)] = _S326;
+    (*terms_0)[i32(3)] = _S326 * _S326;
+    (*terms_0)[i32(4)] = _S331;
+    (*terms_0)[i32(5)] = _S327 * _S329;
+    (*terms_0)[i32(6)] = _S331 * _S331;
     return;
 }
 
-fn rate_of_view_0( first_6 : u32,  terms_1 : array<f32, i32(6)>) -> f32
+fn rate_of_view_0( first_6 : u32,  terms_1 : array<f32, i32(7)>) -> f32
 {
-    var _S332 : f32 = table_number_0(first_6);
+    var _S333 : f32 = table_number_0(first_6);
     var term_0 : u32 = u32(0);
-    var total_0 : f32 = _S332;
+    var total_0 : f32 = _S333;
     for(;;)
     {
-        if(term_0 < u32(6))
+        if(term_0 < u32(7))
         {
         }
         else
@@ -2138,23 +2148,22 @@ fn rate_of_view_0( first_6 : u32,  terms_1 : array<f32, i32(6)>) -> f32
     return total_0;
 }
 
-fn rate_of_light_0( first_7 : u32,  terms_2 : array<f32, i32(6)>,  both_0 : vec2<f32>) -> f32
+fn rate_of_light_0( first_7 : u32,  terms_2 : array<f32, i32(7)>,  both_0 : f32) -> f32
 {
-    var _S333 : u32 = first_7 + u32(8);
-    var _S334 : u32 = _S333 + u32(6);
-    var _S335 : f32 = table_number_0(_S334) * both_0.x + table_number_0(_S334 + u32(1)) * both_0.y;
+    var _S334 : u32 = first_7 + u32(8);
+    var _S335 : f32 = table_number_0(_S334 + u32(7)) * both_0;
     var term_1 : u32 = u32(0);
     var total_2 : f32 = _S335;
     for(;;)
     {
-        if(term_1 < u32(6))
+        if(term_1 < u32(7))
         {
         }
         else
         {
             break;
         }
-        var total_3 : f32 = total_2 + table_number_0(_S333 + term_1) * terms_2[term_1];
+        var total_3 : f32 = total_2 + table_number_0(_S334 + term_1) * terms_2[term_1];
         term_1 = term_1 + u32(1);
         total_2 = total_3;
     }
@@ -2166,55 +2175,62 @@ fn rate_of_0( logarithm_0 : f32) -> f32
     return exponential_0(clamp(logarithm_0, -30.0f, 3.0f));
 }
 
-fn with_layer_0( sums_6 : Albedos_0,  albedos_10 : Albedos_0,  lit_0 : f32,  passed_0 : f32) -> Albedos_0
+fn with_layer_0( sums_6 : Albedos_0,  albedos_10 : Albedos_0,  lit_2 : f32,  passed_2 : vec3<f32>) -> Albedos_0
 {
     var result_2 : Albedos_0;
-    var _S336 : vec3<f32> = vec3<f32>(lit_0);
+    var _S336 : vec3<f32> = vec3<f32>(lit_2);
     result_2.diffuse_reflect_0 = sums_6.diffuse_reflect_0 + _S336 * albedos_10.diffuse_reflect_0;
-    var _S337 : vec3<f32> = vec3<f32>(passed_0);
-    result_2.diffuse_transmit_0 = sums_6.diffuse_transmit_0 + _S337 * albedos_10.diffuse_transmit_0;
+    result_2.diffuse_transmit_0 = sums_6.diffuse_transmit_0 + passed_2 * albedos_10.diffuse_transmit_0;
     result_2.specular_reflect_0 = sums_6.specular_reflect_0 + _S336 * albedos_10.specular_reflect_0;
-    result_2.specular_transmit_0 = sums_6.specular_transmit_0 + _S337 * albedos_10.specular_transmit_0;
+    result_2.specular_transmit_0 = sums_6.specular_transmit_0 + passed_2 * albedos_10.specular_transmit_0;
     return result_2;
 }
 
 fn with_seen_0( sums_7 : LayerSums_0,  albedos_11 : Albedos_0,  through_0 : f32,  first_8 : u32,  share_4 : f32,  alone_0 : f32,  light_7 : vec3<f32>,  view_6 : vec3<f32>) -> LayerSums_0
 {
-    var of_view_0 : array<f32, i32(6)>;
+    var of_view_0 : array<f32, i32(7)>;
     rate_terms_0(view_6, &(of_view_0));
-    var _S338 : f32 = light_7.x;
-    var _S339 : f32 = light_7.y;
-    var _S340 : f32 = light_7.z;
-    var of_light_0 : array<f32, i32(6)>;
-    rate_terms_0(vec3<f32>(_S338, _S339, abs(_S340)), &(of_light_0));
-    var _S341 : vec2<f32> = vec2<f32>(_S338 * view_6.x, _S339 * view_6.y);
-    var _S342 : bool = _S340 < 0.0f;
-    var _S343 : u32 = first_8 + u32(16) * select(u32(0), u32(1), _S342);
-    var _S344 : u32 = first_8 + u32(32);
-    var _S345 : f32 = share_4 * alone_0;
-    var _S346 : f32 = _S345 * rate_of_0(rate_of_view_0(_S343, of_view_0) + rate_of_light_0(_S343, of_light_0, _S341));
-    var _S347 : f32 = _S345 * rate_of_0(rate_of_view_0(_S344, of_view_0) + rate_of_light_0(_S344, of_light_0, _S341));
-    var _S348 : f32 = share_4 * rate_of_0(rate_of_view_0(first_8 + u32(48), of_view_0));
-    var _S349 : u32 = first_8 + u32(64);
-    var _S350 : vec3<f32> = vec3<f32>(table_number_0(_S349), table_number_0(_S349 + u32(1)), table_number_0(_S349 + u32(2)));
-    var _S351 : vec3<f32> = vec3<f32>(table_number_0(_S349 + u32(3)), table_number_0(_S349 + u32(4)), table_number_0(_S349 + u32(5)));
+    var _S337 : f32 = light_7.x;
+    var _S338 : f32 = light_7.y;
+    var _S339 : f32 = light_7.z;
+    var of_light_0 : array<f32, i32(7)>;
+    rate_terms_0(vec3<f32>(_S337, _S338, abs(_S339)), &(of_light_0));
+    var _S340 : f32 = _S337 * view_6.x + _S338 * view_6.y;
+    var _S341 : bool = _S339 < 0.0f;
+    var _S342 : u32 = first_8 + u32(16) * select(u32(0), u32(1), _S341);
+    var _S343 : u32 = first_8 + u32(32);
+    var _S344 : f32 = share_4 * alone_0;
+    var _S345 : f32 = _S344 * rate_of_0(rate_of_view_0(_S342, of_view_0) + rate_of_light_0(_S342, of_light_0, _S340));
+    var _S346 : f32 = _S344 * rate_of_0(rate_of_view_0(_S343, of_view_0) + rate_of_light_0(_S343, of_light_0, _S340));
+    var _S347 : f32 = share_4 * rate_of_0(rate_of_view_0(first_8 + u32(48), of_view_0));
+    var _S348 : u32 = first_8 + u32(64);
+    var _S349 : vec3<f32> = vec3<f32>(table_number_0(_S348), table_number_0(_S348 + u32(1)), table_number_0(_S348 + u32(2)));
+    var _S350 : vec3<f32> = vec3<f32>(table_number_0(_S348 + u32(3)), table_number_0(_S348 + u32(4)), table_number_0(_S348 + u32(5)));
+    var _S351 : f32 = _S344 * rate_of_0(rate_of_view_0(first_8, of_view_0));
+    var _S352 : f32 = _S344 * rate_of_0(rate_of_view_0(first_8 + u32(16), of_view_0));
+    var _S353 : f32 = _S344 * rate_of_0(rate_of_view_0(_S343, of_view_0));
     var result_3 : LayerSums_0;
-    result_3.albedos_4 = with_layer_0(sums_7.albedos_4, albedos_11, _S346, _S346);
-    result_3.weight_3 = sums_7.weight_3 + _S346 + select(0.0f, _S347, _S342);
-    var _S352 : vec3<f32> = vec3<f32>(_S348);
-    result_3.behind_2.reflected_0 = sums_7.behind_2.reflected_0 + _S352 * _S351;
-    result_3.behind_2.transmitted_0 = sums_7.behind_2.transmitted_0 + _S352 * _S350 * (albedos_11.diffuse_transmit_0 + vec3<f32>(through_0) * albedos_11.specular_transmit_0);
+    result_3.means_2 = with_layer_0(sums_7.means_2, albedos_11, _S351, vec3<f32>(_S352) + vec3<f32>(_S353) * _S349);
+    result_3.lit_0 = sums_7.lit_0 + _S351;
+    result_3.passed_0 = sums_7.passed_0 + _S352 + _S353;
+    result_3.albedos_4 = with_layer_0(sums_7.albedos_4, albedos_11, _S345, vec3<f32>(_S345));
+    result_3.weight_3 = sums_7.weight_3 + _S345 + select(0.0f, _S346, _S341);
+    var _S354 : vec3<f32> = vec3<f32>(_S347);
+    result_3.behind_2.reflected_0 = sums_7.behind_2.reflected_0 + _S354 * _S350;
+    result_3.behind_2.transmitted_0 = sums_7.behind_2.transmitted_0 + _S354 * _S349 * (albedos_11.diffuse_transmit_0 + vec3<f32>(through_0) * albedos_11.specular_transmit_0);
     return result_3;
 }
 
-fn divided_0( sums_8 : Albedos_0,  weight_7 : f32) -> Albedos_0
+fn divided_0( sums_8 : Albedos_0,  lit_3 : f32,  passed_3 : f32) -> Albedos_0
 {
+    var _S355 : f32 = 1.0f / max(passed_3, 9.99999971718068537e-10f);
     var result_4 : Albedos_0;
-    var _S353 : vec3<f32> = vec3<f32>((1.0f / max(weight_7, 9.99999971718068537e-10f)));
-    result_4.diffuse_reflect_0 = sums_8.diffuse_reflect_0 * _S353;
-    result_4.diffuse_transmit_0 = sums_8.diffuse_transmit_0 * _S353;
-    result_4.specular_reflect_0 = sums_8.specular_reflect_0 * _S353;
-    result_4.specular_transmit_0 = sums_8.specular_transmit_0 * _S353;
+    var _S356 : vec3<f32> = vec3<f32>((1.0f / max(lit_3, 9.99999971718068537e-10f)));
+    result_4.diffuse_reflect_0 = sums_8.diffuse_reflect_0 * _S356;
+    var _S357 : vec3<f32> = vec3<f32>(_S355);
+    result_4.diffuse_transmit_0 = sums_8.diffuse_transmit_0 * _S357;
+    result_4.specular_reflect_0 = sums_8.specular_reflect_0 * _S356;
+    result_4.specular_transmit_0 = sums_8.specular_transmit_0 * _S357;
     return result_4;
 }
 
@@ -2230,14 +2246,14 @@ fn thread_gain_0( thread_10 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
 
 fn bounded_gain_0( gain_1 : f32,  albedo_1 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S354 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
-    return min(gain_1, max(min(min(_S354.x, _S354.y), _S354.z), 0.0f));
+    var _S358 : vec3<f32> = room_0 / max(albedo_1, vec3<f32>(9.99999997475242708e-07f));
+    return min(gain_1, max(min(min(_S358.x, _S358.y), _S358.z), 0.0f));
 }
 
 fn flattened_0( largest_0 : f32,  albedo_2 : vec3<f32>,  room_1 : vec3<f32>) -> f32
 {
-    var _S355 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
-    return min(max(min(min(_S355.x, _S355.y), _S355.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
+    var _S359 : vec3<f32> = room_1 / max(albedo_2, vec3<f32>(9.99999997475242708e-07f)) - vec3<f32>(1.0f);
+    return min(max(min(min(_S359.x, _S359.y), _S359.z), 0.0f) / max(largest_0, 9.99999997475242708e-07f), 1.0f);
 }
 
 fn fibre_gain_0( thread_11 : u32,  cell_12 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
@@ -2245,14 +2261,14 @@ fn fibre_gain_0( thread_11 : u32,  cell_12 : u32,  amount_1 : f32,  seed_2 : u32
     return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_11, cell_12, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
 }
 
-fn lerp_albedos_0( first_9 : Albedos_0,  second_1 : Albedos_0,  weight_8 : f32) -> Albedos_0
+fn lerp_albedos_0( first_9 : Albedos_0,  second_1 : Albedos_0,  weight_7 : f32) -> Albedos_0
 {
     var albedos_12 : Albedos_0;
-    var _S356 : vec3<f32> = vec3<f32>(weight_8);
-    albedos_12.diffuse_reflect_0 = mix(first_9.diffuse_reflect_0, second_1.diffuse_reflect_0, _S356);
-    albedos_12.diffuse_transmit_0 = mix(first_9.diffuse_transmit_0, second_1.diffuse_transmit_0, _S356);
-    albedos_12.specular_reflect_0 = mix(first_9.specular_reflect_0, second_1.specular_reflect_0, _S356);
-    albedos_12.specular_transmit_0 = mix(first_9.specular_transmit_0, second_1.specular_transmit_0, _S356);
+    var _S360 : vec3<f32> = vec3<f32>(weight_7);
+    albedos_12.diffuse_reflect_0 = mix(first_9.diffuse_reflect_0, second_1.diffuse_reflect_0, _S360);
+    albedos_12.diffuse_transmit_0 = mix(first_9.diffuse_transmit_0, second_1.diffuse_transmit_0, _S360);
+    albedos_12.specular_reflect_0 = mix(first_9.specular_reflect_0, second_1.specular_reflect_0, _S360);
+    albedos_12.specular_transmit_0 = mix(first_9.specular_transmit_0, second_1.specular_transmit_0, _S360);
     return albedos_12;
 }
 
@@ -2266,8 +2282,8 @@ fn tinted_0( albedos_13 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
 
 fn fourth_power_0( value_1 : f32) -> f32
 {
-    var _S357 : f32 = value_1 * value_1;
-    return _S357 * _S357;
+    var _S361 : f32 = value_1 * value_1;
+    return _S361 * _S361;
 }
 
 struct FaceRadiance_0
@@ -2289,49 +2305,49 @@ struct FaceSends_0
      blocks_weft_0 : f32,
 };
 
-fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_1 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
+fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_4 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S358 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_1;
+    var _S362 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_4;
     var found_0 : FaceRadiance_0;
-    var _S359 : vec3<f32> = sends_0.sky_warp_0 + _S358 * sends_0.crossing_warp_0;
-    found_0.warp_8 = _S359;
-    var _S360 : vec3<f32> = sends_0.sky_weft_0 + _S358 * sends_0.crossing_weft_0;
-    found_0.weft_8 = _S360;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S359 + vec3<f32>(sends_0.blocks_weft_0) * _S360;
+    var _S363 : vec3<f32> = sends_0.sky_warp_0 + _S362 * sends_0.crossing_warp_0;
+    found_0.warp_8 = _S363;
+    var _S364 : vec3<f32> = sends_0.sky_weft_0 + _S362 * sends_0.crossing_weft_0;
+    found_0.weft_8 = _S364;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S363 + vec3<f32>(sends_0.blocks_weft_0) * _S364;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_7 : vec3<f32>,  terms_3 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S361 : f32 = 1.0f - view_7.z;
-    var _S362 : f32 = _S361 * _S361;
-    (*terms_3)[i32(0)] = 1.0f;
-    var _S363 : f32 = view_7.x;
-    var _S364 : f32 = _S363 * _S363;
-    var _S365 : f32 = view_7.y;
+    var _S365 : f32 = 1.0f - view_7.z;
     var _S366 : f32 = _S365 * _S365;
-    (*terms_3)[i32(1)] = sqrt(max(_S364 + _S366, 9.999999960041972e-13f));
-    (*terms_3)[i32(2)] = _S362;
-    (*terms_3)[i32(3)] = _S362 * _S362;
-    (*terms_3)[i32(4)] = _S364 - _S366;
+    (*terms_3)[i32(0)] = 1.0f;
+    var _S367 : f32 = view_7.x;
+    var _S368 : f32 = _S367 * _S367;
+    var _S369 : f32 = view_7.y;
+    var _S370 : f32 = _S369 * _S369;
+    (*terms_3)[i32(1)] = sqrt(max(_S368 + _S370, 9.999999960041972e-13f));
+    (*terms_3)[i32(2)] = _S366;
+    (*terms_3)[i32(3)] = _S366 * _S366;
+    (*terms_3)[i32(4)] = _S368 - _S370;
     (*terms_3)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_8 : vec3<f32>,  terms_4 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S367 : f32 = 1.0f - view_8.z;
-    var _S368 : f32 = _S367 * _S367;
-    (*terms_4)[i32(0)] = 1.0f;
-    var _S369 : f32 = view_8.x;
-    var _S370 : f32 = _S369 * _S369;
-    var _S371 : f32 = view_8.y;
+    var _S371 : f32 = 1.0f - view_8.z;
     var _S372 : f32 = _S371 * _S371;
-    (*terms_4)[i32(1)] = sqrt(max(_S370 + _S372, 9.999999960041972e-13f));
-    (*terms_4)[i32(2)] = _S368;
-    (*terms_4)[i32(3)] = _S368 * _S368;
-    (*terms_4)[i32(4)] = _S370 - _S372;
+    (*terms_4)[i32(0)] = 1.0f;
+    var _S373 : f32 = view_8.x;
+    var _S374 : f32 = _S373 * _S373;
+    var _S375 : f32 = view_8.y;
+    var _S376 : f32 = _S375 * _S375;
+    (*terms_4)[i32(1)] = sqrt(max(_S374 + _S376, 9.999999960041972e-13f));
+    (*terms_4)[i32(2)] = _S372;
+    (*terms_4)[i32(3)] = _S372 * _S372;
+    (*terms_4)[i32(4)] = _S374 - _S376;
     (*terms_4)[i32(5)] = 0.0f;
     return;
 }
@@ -2360,11 +2376,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S373 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S374 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_1;
+    var _S377 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S378 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_1;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_2 = yarn_2.back_14 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_9 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_9) + _S374 * interior_0.far_leaked_0;
-    bounced_0.transmitted_2 = _S374 * interior_0.far_1 + yarn_2.back_14 * _S373;
+    bounced_0.reflected_2 = yarn_2.back_14 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_9 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_9) + _S378 * interior_0.far_leaked_0;
+    bounced_0.transmitted_2 = _S378 * interior_0.far_1 + yarn_2.back_14 * _S377;
     bounced_0.is_covered_0 = false;
     return bounced_0;
 }
@@ -2380,8 +2396,8 @@ fn sum_of_0( first_10 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_8 : vec3<f32>,  view_9 : vec3<f32>) -> vec3<f32>
 {
-    var _S375 : f32 = light_8.z;
-    return select_vector_1((_S375 * view_9.z) < 0.0f, bounced_1.transmitted_2, bounced_1.reflected_2) * vec3<f32>((abs(_S375) * 0.31830987334251404f));
+    var _S379 : f32 = light_8.z;
+    return select_vector_1((_S379 * view_9.z) < 0.0f, bounced_1.transmitted_2, bounced_1.reflected_2) * vec3<f32>((abs(_S379) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_18 : f32,  y_11 : f32) -> f32
@@ -2401,40 +2417,40 @@ fn sheen_reflectance_0( x_20 : f32,  y_13 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_10 : f32) -> vec3<f32>
 {
-    var _S376 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S377 : f32 = 2.0f * sqrt(_S376) - 1.0f;
-    var _S378 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_10, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S377, _S378), 0.00999999977648258f, 1.0f), clamp((1.0f - _S376) * sheen_shear_0(_S377, _S378), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S377, _S378), -60.0f, 60.0f))));
+    var _S380 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S381 : f32 = 2.0f * sqrt(_S380) - 1.0f;
+    var _S382 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_10, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S381, _S382), 0.00999999977648258f, 1.0f), clamp((1.0f - _S380) * sheen_shear_0(_S381, _S382), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S381, _S382), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_9 : vec3<f32>,  view_10 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S379 : f32 = light_9.z;
-    if(((_S379 <= 0.0f) | (((view_10.z) <= 0.0f))))
+    var _S383 : f32 = light_9.z;
+    if(((_S383 <= 0.0f) | (((view_10.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S380 : vec2<f32> = view_10.xy;
-    var _S381 : f32 = dot(_S380, _S380);
-    var _S382 : vec2<f32> = select_vector_0(_S381 > 9.99999968265522539e-21f, _S380 * vec2<f32>(rsqrt_0(max(_S381, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S383 : f32 = scale_0 * dot(light_9.xy, _S382) + shear_0 * _S379;
-    var _S384 : f32 = scale_0 * (light_9.y * _S382.x - light_9.x * _S382.y);
-    var _S385 : f32 = _S383 * _S383 + _S384 * _S384 + _S379 * _S379;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S379 / max(_S385 * _S385, 9.99999968265522539e-21f);
+    var _S384 : vec2<f32> = view_10.xy;
+    var _S385 : f32 = dot(_S384, _S384);
+    var _S386 : vec2<f32> = select_vector_0(_S385 > 9.99999968265522539e-21f, _S384 * vec2<f32>(rsqrt_0(max(_S385, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S387 : f32 = scale_0 * dot(light_9.xy, _S386) + shear_0 * _S383;
+    var _S388 : f32 = scale_0 * (light_9.y * _S386.x - light_9.x * _S386.y);
+    var _S389 : f32 = _S387 * _S387 + _S388 * _S388 + _S383 * _S383;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S383 / max(_S389 * _S389, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_10 : vec3<f32>,  view_11 : vec3<f32>,  strength_0 : f32,  roughness_11 : f32) -> vec2<f32>
 {
-    var _S386 : vec3<f32> = sheen_lobe_0(view_11.z, roughness_11);
-    var _S387 : f32 = strength_0 * _S386.z;
-    return vec2<f32>(_S387 * transformed_cosine_0(light_10, view_11, _S386.x, _S386.y), 1.0f - _S387);
+    var _S390 : vec3<f32> = sheen_lobe_0(view_11.z, roughness_11);
+    var _S391 : f32 = strength_0 * _S390.z;
+    return vec2<f32>(_S391 * transformed_cosine_0(light_10, view_11, _S390.x, _S390.y), 1.0f - _S391);
 }
 
 fn accumulate_0( index_7 : u32,  light_11 : vec4<f32>)
 {
-    var _S388 : f32 = layers_0[index_7].share_0;
+    var _S392 : f32 = layers_0[index_7].share_0;
     radiance_0[index_7] = radiance_0[index_7] + vec4<f32>(layers_0[index_7].share_0) * light_11;
-    layers_0[index_7].share_0 = _S388 * (1.0f - light_11.w);
+    layers_0[index_7].share_0 = _S392 * (1.0f - light_11.w);
     return;
 }
 
@@ -2458,152 +2474,152 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S389 : u32,  _S390 : u32,  _S391 : u32,  _S392 : vec2<f32>) -> f32
+fn uneven_shift_0( _S393 : u32,  _S394 : u32,  _S395 : u32,  _S396 : vec2<f32>) -> f32
 {
-    var _S393 : f32 = families_0[_S391].period_0 / families_0[_S391].count_0;
-    var _S394 : u32 = hash_key_0(_S390, ((fabrics_0[_S389].seed_0) ^ (u32(625341585))));
-    var _S395 : vec2<f32> = vec2<f32>(_S392.x, _S392.y / 4.0f) / vec2<f32>(_S393);
-    return 0.20000000298023224f * sqrt(families_0[_S391].slub_0) * _S393 * (uneven_octave_0(_S394, _S395) * 0.66666668653488159f + uneven_octave_0(_S394 + u32(1), vec2<f32>(2.0f) * _S395 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S397 : f32 = families_0[_S395].period_0 / families_0[_S395].count_0;
+    var _S398 : u32 = hash_key_0(_S394, ((fabrics_0[_S393].seed_0) ^ (u32(625341585))));
+    var _S399 : vec2<f32> = vec2<f32>(_S396.x, _S396.y / 4.0f) / vec2<f32>(_S397);
+    return 0.20000000298023224f * sqrt(families_0[_S395].slub_0) * _S397 * (uneven_octave_0(_S398, _S399) * 0.66666668653488159f + uneven_octave_0(_S398 + u32(1), vec2<f32>(2.0f) * _S399 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S396 : u32,  _S397 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S400 : u32,  _S401 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_0((fabrics_0[_S396].has_detail_0) == u32(0), _S397, _S397 + vec2<f32>(uneven_shift_0(_S396, u32(0), fabrics_0[_S396].warp_0, _S397), uneven_shift_0(_S396, u32(1), fabrics_0[_S396].weft_0, _S397.yx)));
+    return select_vector_0((fabrics_0[_S400].has_detail_0) == u32(0), _S401, _S401 + vec2<f32>(uneven_shift_0(_S400, u32(0), fabrics_0[_S400].warp_0, _S401), uneven_shift_0(_S400, u32(1), fabrics_0[_S400].weft_0, _S401.yx)));
 }
 
-fn face_point_0( _S398 : u32,  _S399 : u32,  _S400 : f32,  _S401 : f32) -> VisiblePoint_0
+fn face_point_0( _S402 : u32,  _S403 : u32,  _S404 : f32,  _S405 : f32) -> VisiblePoint_0
 {
-    var _S402 : u32 = u32(3) * _S399;
-    var _S403 : Vertex_0 = vertex_at_0(_S402);
-    var _S404 : Vertex_0 = vertex_at_0(_S402 + u32(1));
-    var _S405 : Vertex_0 = vertex_at_0(_S402 + u32(2));
-    var _S406 : vec3<f32> = position_of_0(_S403);
-    var _S407 : vec3<f32> = position_of_0(_S404) - _S406;
-    var _S408 : vec3<f32> = position_of_0(_S405) - _S406;
-    var _S409 : f32 = _S404.u_0 - _S403.u_0;
-    var _S410 : f32 = _S404.v_0 - _S403.v_0;
-    var _S411 : vec2<f32> = vec2<f32>(_S409, _S410);
-    var _S412 : f32 = _S405.u_0 - _S403.u_0;
-    var _S413 : f32 = _S405.v_0 - _S403.v_0;
-    var _S414 : vec2<f32> = vec2<f32>(_S412, _S413);
-    var _S415 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S409 * _S413 - _S410 * _S412) < 0.0f));
-    var _S416 : vec3<f32> = _S415 * (vec3<f32>(_S413) * _S407 - vec3<f32>(_S410) * _S408);
-    var _S417 : vec3<f32> = _S415 * (vec3<f32>(_S409) * _S408 - vec3<f32>(_S412) * _S407);
+    var _S406 : u32 = u32(3) * _S403;
+    var _S407 : Vertex_0 = vertex_at_0(_S406);
+    var _S408 : Vertex_0 = vertex_at_0(_S406 + u32(1));
+    var _S409 : Vertex_0 = vertex_at_0(_S406 + u32(2));
+    var _S410 : vec3<f32> = position_of_0(_S407);
+    var _S411 : vec3<f32> = position_of_0(_S408) - _S410;
+    var _S412 : vec3<f32> = position_of_0(_S409) - _S410;
+    var _S413 : f32 = _S408.u_0 - _S407.u_0;
+    var _S414 : f32 = _S408.v_0 - _S407.v_0;
+    var _S415 : vec2<f32> = vec2<f32>(_S413, _S414);
+    var _S416 : f32 = _S409.u_0 - _S407.u_0;
+    var _S417 : f32 = _S409.v_0 - _S407.v_0;
+    var _S418 : vec2<f32> = vec2<f32>(_S416, _S417);
+    var _S419 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S413 * _S417 - _S414 * _S416) < 0.0f));
+    var _S420 : vec3<f32> = _S419 * (vec3<f32>(_S417) * _S411 - vec3<f32>(_S414) * _S412);
+    var _S421 : vec3<f32> = _S419 * (vec3<f32>(_S413) * _S412 - vec3<f32>(_S416) * _S411);
     var point_2 : VisiblePoint_0;
-    var _S418 : vec3<f32> = vec3<f32>(_S400);
-    var _S419 : vec3<f32> = vec3<f32>(_S401);
-    var _S420 : vec3<f32> = normalize(vec3<f32>((1.0f - _S400 - _S401)) * normal_of_0(_S403) + _S418 * normal_of_0(_S404) + _S419 * normal_of_0(_S405));
-    point_2.normal_0 = _S420;
-    var _S421 : vec3<f32> = normalize(_S416 - _S420 * vec3<f32>(dot(_S420, _S416)));
-    point_2.axis_x_0 = _S421;
-    point_2.axis_y_0 = cross(_S420, _S421);
-    var _S422 : vec3<f32> = normalize(cross(_S407, _S408));
-    point_2.face_normal_0 = select_vector_1((dot(_S422, _S420)) < 0.0f, (vec3<f32>(0) - _S422), _S422);
-    point_2.position_4 = _S406 + _S418 * _S407 + _S419 * _S408;
-    point_2.view_0 = _S420;
-    var _S423 : vec2<f32> = vec2<f32>(_S403.u_0, _S403.v_0) + vec2<f32>(_S400) * _S411 + vec2<f32>(_S401) * _S414;
-    point_2.uv_1 = _S423;
-    var _S424 : bool = (dot(cross(_S416, _S417), _S420)) < 0.0f;
-    var _S425 : vec2<f32> = vec2<f32>(fabrics_0[_S398].uv_width_0, select(fabrics_0[_S398].uv_height_0, - fabrics_0[_S398].uv_height_0, _S424));
-    point_2.draft_per_uv_0 = _S425;
-    point_2.draft_0 = uneven_place_0(_S398, _S423 * _S425 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S398].uv_height_0, _S424)));
-    var _S426 : vec2<f32> = vec2<f32>(0.0f);
-    point_2.draft_dx_0 = _S426;
-    point_2.draft_dy_0 = _S426;
+    var _S422 : vec3<f32> = vec3<f32>(_S404);
+    var _S423 : vec3<f32> = vec3<f32>(_S405);
+    var _S424 : vec3<f32> = normalize(vec3<f32>((1.0f - _S404 - _S405)) * normal_of_0(_S407) + _S422 * normal_of_0(_S408) + _S423 * normal_of_0(_S409));
+    point_2.normal_0 = _S424;
+    var _S425 : vec3<f32> = normalize(_S420 - _S424 * vec3<f32>(dot(_S424, _S420)));
+    point_2.axis_x_0 = _S425;
+    point_2.axis_y_0 = cross(_S424, _S425);
+    var _S426 : vec3<f32> = normalize(cross(_S411, _S412));
+    point_2.face_normal_0 = select_vector_1((dot(_S426, _S424)) < 0.0f, (vec3<f32>(0) - _S426), _S426);
+    point_2.position_4 = _S410 + _S422 * _S411 + _S423 * _S412;
+    point_2.view_0 = _S424;
+    var _S427 : vec2<f32> = vec2<f32>(_S407.u_0, _S407.v_0) + vec2<f32>(_S404) * _S415 + vec2<f32>(_S405) * _S418;
+    point_2.uv_1 = _S427;
+    var _S428 : bool = (dot(cross(_S420, _S421), _S424)) < 0.0f;
+    var _S429 : vec2<f32> = vec2<f32>(fabrics_0[_S402].uv_width_0, select(fabrics_0[_S402].uv_height_0, - fabrics_0[_S402].uv_height_0, _S428));
+    point_2.draft_per_uv_0 = _S429;
+    point_2.draft_0 = uneven_place_0(_S402, _S427 * _S429 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S402].uv_height_0, _S428)));
+    var _S430 : vec2<f32> = vec2<f32>(0.0f);
+    point_2.draft_dx_0 = _S430;
+    point_2.draft_dy_0 = _S430;
     return point_2;
 }
 
-fn visible_point_0( _S427 : u32,  _S428 : u32,  _S429 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S431 : u32,  _S432 : u32,  _S433 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S430 : u32 = u32(3) * _S428;
-    var _S431 : Vertex_0 = vertex_at_0(_S430);
-    var _S432 : Vertex_0 = vertex_at_0(_S430 + u32(1));
-    var _S433 : Vertex_0 = vertex_at_0(_S430 + u32(2));
-    var _S434 : vec3<f32> = position_of_0(_S431);
-    var _S435 : vec3<f32> = position_of_0(_S432) - _S434;
-    var _S436 : vec3<f32> = position_of_0(_S433) - _S434;
-    var _S437 : vec3<f32> = cross(_S435, _S436);
-    var _S438 : f32 = f32(frame_record_0.width_0);
-    var _S439 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S438));
-    var _S440 : f32 = f32(frame_record_0.height_0);
-    var _S441 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S440));
-    var _S442 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S429.x) + 0.5f - 0.5f * _S438)) * _S439 + vec3<f32>((f32(_S429.y) + 0.5f - 0.5f * _S440)) * _S441;
-    var _S443 : f32 = dot(_S442, _S437);
-    var _S444 : f32 = 1.0f / select(1.00000000317107685e-30f, _S443, (abs(_S443)) > 1.00000000317107685e-30f);
-    var _S445 : vec3<f32> = _S434 - camera_origin_0();
-    var _S446 : vec3<f32> = vec3<f32>((dot(_S445, _S437) * _S444));
-    var _S447 : vec3<f32> = _S442 * _S446 - _S445;
-    var _S448 : vec3<f32> = _S446 * (_S439 - _S442 * vec3<f32>((dot(_S439, _S437) * _S444)));
-    var _S449 : vec3<f32> = _S446 * (_S441 - _S442 * vec3<f32>((dot(_S441, _S437) * _S444)));
-    var _S450 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S437), 1.00000000317107685e-30f)));
-    var _S451 : vec3<f32> = cross(_S436, _S437) * _S450;
-    var _S452 : vec3<f32> = cross(_S437, _S435) * _S450;
-    var _S453 : vec2<f32> = vec2<f32>(_S432.u_0 - _S431.u_0, _S432.v_0 - _S431.v_0);
-    var _S454 : vec2<f32> = vec2<f32>(_S433.u_0 - _S431.u_0, _S433.v_0 - _S431.v_0);
-    var point_3 : VisiblePoint_0 = face_point_0(_S427, _S428, dot(_S447, _S451), dot(_S447, _S452));
-    point_3.position_4 = _S434 + _S447;
-    point_3.view_0 = (vec3<f32>(0) - normalize(_S442));
-    point_3.draft_dx_0 = (vec2<f32>(dot(_S448, _S451)) * _S453 + vec2<f32>(dot(_S448, _S452)) * _S454) * point_3.draft_per_uv_0;
-    point_3.draft_dy_0 = (vec2<f32>(dot(_S449, _S451)) * _S453 + vec2<f32>(dot(_S449, _S452)) * _S454) * point_3.draft_per_uv_0;
+    var _S434 : u32 = u32(3) * _S432;
+    var _S435 : Vertex_0 = vertex_at_0(_S434);
+    var _S436 : Vertex_0 = vertex_at_0(_S434 + u32(1));
+    var _S437 : Vertex_0 = vertex_at_0(_S434 + u32(2));
+    var _S438 : vec3<f32> = position_of_0(_S435);
+    var _S439 : vec3<f32> = position_of_0(_S436) - _S438;
+    var _S440 : vec3<f32> = position_of_0(_S437) - _S438;
+    var _S441 : vec3<f32> = cross(_S439, _S440);
+    var _S442 : f32 = f32(frame_record_0.width_0);
+    var _S443 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S442));
+    var _S444 : f32 = f32(frame_record_0.height_0);
+    var _S445 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S444));
+    var _S446 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S433.x) + 0.5f - 0.5f * _S442)) * _S443 + vec3<f32>((f32(_S433.y) + 0.5f - 0.5f * _S444)) * _S445;
+    var _S447 : f32 = dot(_S446, _S441);
+    var _S448 : f32 = 1.0f / select(1.00000000317107685e-30f, _S447, (abs(_S447)) > 1.00000000317107685e-30f);
+    var _S449 : vec3<f32> = _S438 - camera_origin_0();
+    var _S450 : vec3<f32> = vec3<f32>((dot(_S449, _S441) * _S448));
+    var _S451 : vec3<f32> = _S446 * _S450 - _S449;
+    var _S452 : vec3<f32> = _S450 * (_S443 - _S446 * vec3<f32>((dot(_S443, _S441) * _S448)));
+    var _S453 : vec3<f32> = _S450 * (_S445 - _S446 * vec3<f32>((dot(_S445, _S441) * _S448)));
+    var _S454 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S441), 1.00000000317107685e-30f)));
+    var _S455 : vec3<f32> = cross(_S440, _S441) * _S454;
+    var _S456 : vec3<f32> = cross(_S441, _S439) * _S454;
+    var _S457 : vec2<f32> = vec2<f32>(_S436.u_0 - _S435.u_0, _S436.v_0 - _S435.v_0);
+    var _S458 : vec2<f32> = vec2<f32>(_S437.u_0 - _S435.u_0, _S437.v_0 - _S435.v_0);
+    var point_3 : VisiblePoint_0 = face_point_0(_S431, _S432, dot(_S451, _S455), dot(_S451, _S456));
+    point_3.position_4 = _S438 + _S451;
+    point_3.view_0 = (vec3<f32>(0) - normalize(_S446));
+    point_3.draft_dx_0 = (vec2<f32>(dot(_S452, _S455)) * _S457 + vec2<f32>(dot(_S452, _S456)) * _S458) * point_3.draft_per_uv_0;
+    point_3.draft_dy_0 = (vec2<f32>(dot(_S453, _S455)) * _S457 + vec2<f32>(dot(_S453, _S456)) * _S458) * point_3.draft_per_uv_0;
     return point_3;
 }
 
-fn filtered_albedo_0( _S455 : u32,  _S456 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S459 : u32,  _S460 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S457 : u32 = fabrics_0[_S455].albedo_map_levels_0;
-    if((fabrics_0[_S455].albedo_map_levels_0) == u32(0))
+    var _S461 : u32 = fabrics_0[_S459].albedo_map_levels_0;
+    if((fabrics_0[_S459].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S458 : vec2<f32> = vec2<f32>(fabrics_0[_S455].uv_width_0, fabrics_0[_S455].uv_height_0);
-    var _S459 : vec2<f32> = _S456.draft_dx_0 / _S458;
-    var _S460 : vec2<f32> = _S456.draft_dy_0 / _S458;
-    var _S461 : u32 = _S457 - u32(1);
-    var _S462 : u32 = (u32(1) << (_S461));
-    var _S463 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S459.x * _S460.y - _S459.y * _S460.x), 9.99999968265522539e-21f) * (square_1(f32(_S462)) / 3.0f)), 0.0f, f32(_S457) - 1.0f);
-    var _S464 : u32 = min(u32(_S463), max(_S457, u32(2)) - u32(2));
-    var _S465 : u32 = min(_S464 + u32(1), _S461);
-    var _S466 : u32 = (u32(1) << ((u32(2) * _S457)));
-    return mix(map_level_0(fabrics_0[_S455].albedo_map_0 + (_S466 - ((_S466 >> ((u32(2) * _S464))))) / u32(3), (_S462 >> (_S464)), _S456.uv_1), map_level_0(fabrics_0[_S455].albedo_map_0 + (_S466 - ((_S466 >> ((u32(2) * _S465))))) / u32(3), (_S462 >> (_S465)), _S456.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S463 - f32(_S464))) - 1.0f) / 3.0f)));
+    var _S462 : vec2<f32> = vec2<f32>(fabrics_0[_S459].uv_width_0, fabrics_0[_S459].uv_height_0);
+    var _S463 : vec2<f32> = _S460.draft_dx_0 / _S462;
+    var _S464 : vec2<f32> = _S460.draft_dy_0 / _S462;
+    var _S465 : u32 = _S461 - u32(1);
+    var _S466 : u32 = (u32(1) << (_S465));
+    var _S467 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S463.x * _S464.y - _S463.y * _S464.x), 9.99999968265522539e-21f) * (square_1(f32(_S466)) / 3.0f)), 0.0f, f32(_S461) - 1.0f);
+    var _S468 : u32 = min(u32(_S467), max(_S461, u32(2)) - u32(2));
+    var _S469 : u32 = min(_S468 + u32(1), _S465);
+    var _S470 : u32 = (u32(1) << ((u32(2) * _S461)));
+    return mix(map_level_0(fabrics_0[_S459].albedo_map_0 + (_S470 - ((_S470 >> ((u32(2) * _S468))))) / u32(3), (_S466 >> (_S468)), _S460.uv_1), map_level_0(fabrics_0[_S459].albedo_map_0 + (_S470 - ((_S470 >> ((u32(2) * _S469))))) / u32(3), (_S466 >> (_S469)), _S460.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S467 - f32(_S468))) - 1.0f) / 3.0f)));
 }
 
-fn is_layered_0( _S467 : u32) -> bool
+fn is_layered_0( _S471 : u32) -> bool
 {
-    return (HAS_LAYERS_0 & (((fabrics_0[_S467].planes_0) != u32(0))));
+    return (HAS_LAYERS_0 & (((fabrics_0[_S471].planes_0) != u32(0))));
 }
 
-fn irregular_key_0( _S468 : u32,  _S469 : u32) -> u32
+fn irregular_key_0( _S472 : u32,  _S473 : u32) -> u32
 {
-    return hash_key_0(_S469, ((fabrics_0[_S468].seed_0) ^ (u32(1821285621))));
+    return hash_key_0(_S473, ((fabrics_0[_S472].seed_0) ^ (u32(1821285621))));
 }
 
-fn irregular_place_0( _S470 : u32,  _S471 : vec2<f32>,  _S472 : f32) -> vec2<f32>
+fn irregular_place_0( _S474 : u32,  _S475 : vec2<f32>,  _S476 : f32) -> vec2<f32>
 {
-    var _S473 : u32 = fabrics_0[_S470].warp_0;
-    var _S474 : u32 = fabrics_0[_S470].weft_0;
-    var _S475 : bool = (((((fabrics_0[_S470].is_irregular_0) != u32(0)) & ((!is_layered_0(_S470))))) & (((max(moved_share_0(fabrics_0[_S470].warp_0, _S472), moved_share_0(fabrics_0[_S470].weft_0, _S472))) > 0.0f)));
+    var _S477 : u32 = fabrics_0[_S474].warp_0;
+    var _S478 : u32 = fabrics_0[_S474].weft_0;
+    var _S479 : bool = (((((fabrics_0[_S474].is_irregular_0) != u32(0)) & ((!is_layered_0(_S474))))) & (((max(moved_share_0(fabrics_0[_S474].warp_0, _S476), moved_share_0(fabrics_0[_S474].weft_0, _S476))) > 0.0f)));
     var number_4 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S471;
+    var moved_0 : vec2<f32> = _S475;
     for(;;)
     {
-        if(number_4 < select(u32(0), u32(2), _S475))
+        if(number_4 < select(u32(0), u32(2), _S479))
         {
         }
         else
         {
             break;
         }
-        var _S476 : bool = number_4 == u32(0);
-        var _S477 : u32 = select(_S474, _S473, _S476);
-        var _S478 : vec2<f32> = select_vector_0(_S476, _S471, _S471.yx);
-        var _S479 : u32 = irregular_key_0(_S470, number_4);
-        var _S480 : f32 = _S478.x;
-        var _S481 : Cell_0 = locate_0(_S477, _S480);
-        var _S482 : f32 = irregular_thread_0(_S477, _S480, _S481);
-        var _S483 : f32 = select(1.0f, -1.0f, (_S481.across_0) < 0.0f);
-        var _S484 : vec2<f32> = vec2<f32>(0.0f);
-        var other_3 : vec2<f32> = _S484;
-        var own_2 : vec2<f32> = _S484;
+        var _S480 : bool = number_4 == u32(0);
+        var _S481 : u32 = select(_S478, _S477, _S480);
+        var _S482 : vec2<f32> = select_vector_0(_S480, _S475, _S475.yx);
+        var _S483 : u32 = irregular_key_0(_S474, number_4);
+        var _S484 : f32 = _S482.x;
+        var _S485 : Cell_0 = locate_0(_S481, _S484);
+        var _S486 : f32 = irregular_thread_0(_S481, _S484, _S485);
+        var _S487 : f32 = select(1.0f, -1.0f, (_S485.across_0) < 0.0f);
+        var _S488 : vec2<f32> = vec2<f32>(0.0f);
+        var other_3 : vec2<f32> = _S488;
+        var own_2 : vec2<f32> = _S488;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -2614,23 +2630,23 @@ fn irregular_place_0( _S470 : u32,  _S471 : vec2<f32>,  _S472 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S485 : vec2<f32> = irregular_at_0(_S477, _S479, _S482 + _S483 * f32(neighbour_0), _S478.y).xy;
-            var _S486 : u32 = neighbour_0 + u32(1);
+            var _S489 : vec2<f32> = irregular_at_0(_S481, _S483, _S486 + _S487 * f32(neighbour_0), _S482.y).xy;
+            var _S490 : u32 = neighbour_0 + u32(1);
             own_2 = other_3;
-            other_3 = _S485;
-            neighbour_0 = _S486;
+            other_3 = _S489;
+            neighbour_0 = _S490;
         }
-        var _S487 : f32 = _S481.below_0 + _S481.above_0;
-        var _S488 : f32 = min(_S481.half_width_1 / _S487, 0.5f);
-        var _S489 : f32 = min(_S488 * (2.0f + own_2.y + other_3.y), 1.0f);
-        var _S490 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
-        var _S491 : f32 = _S490.x;
-        var _S492 : f32 = _S489 * _S491 / (_S491 + _S490.y);
-        var _S493 : f32 = abs(_S481.across_0) / _S487;
-        var _S494 : f32 = 1.0f - _S489;
-        var _S495 : f32 = _S493 - _S492;
-        var _S496 : f32 = moved_share_0(_S477, _S472) * _S483 * _S487 * (select(select((_S495 - _S494) / max(_S489 - _S492, 9.99999997475242708e-07f) * _S488 + (1.0f - _S488), _S495 / max(_S494, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S488) + _S488, _S495 < _S494), _S493 * _S488 / _S492, _S495 < 0.0f) - _S493);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_0(_S476, vec2<f32>(_S496, 0.0f), vec2<f32>(0.0f, _S496));
+        var _S491 : f32 = _S485.below_0 + _S485.above_0;
+        var _S492 : f32 = min(_S485.half_width_1 / _S491, 0.5f);
+        var _S493 : f32 = min(_S492 * (2.0f + own_2.y + other_3.y), 1.0f);
+        var _S494 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
+        var _S495 : f32 = _S494.x;
+        var _S496 : f32 = _S493 * _S495 / (_S495 + _S494.y);
+        var _S497 : f32 = abs(_S485.across_0) / _S491;
+        var _S498 : f32 = 1.0f - _S493;
+        var _S499 : f32 = _S497 - _S496;
+        var _S500 : f32 = moved_share_0(_S481, _S476) * _S487 * _S491 * (select(select((_S499 - _S498) / max(_S493 - _S496, 9.99999997475242708e-07f) * _S492 + (1.0f - _S492), _S499 / max(_S498, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S492) + _S492, _S499 < _S498), _S497 * _S492 / _S496, _S499 < 0.0f) - _S497);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_0(_S480, vec2<f32>(_S500, 0.0f), vec2<f32>(0.0f, _S500));
         number_4 = number_4 + u32(1);
         moved_0 = moved_1;
     }
@@ -2642,13 +2658,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S497 : u32,  _S498 : vec2<u32>) -> f32
+fn visibility_at_0( _S501 : u32,  _S502 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S497 * frame_record_0.height_0 + _S498.y) * frame_record_0.width_0 + _S498.x];
+    return visibilities_0[(_S501 * frame_record_0.height_0 + _S502.y) * frame_record_0.width_0 + _S502.x];
 }
 
 struct LightSample_0
@@ -2658,52 +2674,52 @@ struct LightSample_0
      distance_1 : f32,
 };
 
-fn environment_texel_0( _S499 : u32,  _S500 : u32) -> vec3<f32>
+fn environment_texel_0( _S503 : u32,  _S504 : u32) -> vec3<f32>
 {
-    var _S501 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S499 * frame_record_0.environment_columns_0 + _S500);
-    return vec3<f32>(scene_number_0(_S501), scene_number_0(_S501 + u32(1)), scene_number_0(_S501 + u32(2)));
+    var _S505 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S503 * frame_record_0.environment_columns_0 + _S504);
+    return vec3<f32>(scene_number_0(_S505), scene_number_0(_S505 + u32(1)), scene_number_0(_S505 + u32(2)));
 }
 
-fn sample_environment_0( _S502 : vec2<f32>,  _S503 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S506 : vec2<f32>,  _S507 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S504 : u32 = frame_record_0.environment_rows_0;
-    var _S505 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S502.y);
-    var _S506 : u32 = frame_record_0.environment_columns_0;
-    var _S507 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S505.index_5 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S502.x);
-    var _S508 : vec3<f32> = environment_texel_0(_S505.index_5, _S507.index_5);
-    (*_S503) = _S508 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S508), 9.99999968265522539e-21f)));
-    var _S509 : f32 = 3.14159274101257324f / f32(_S504);
-    var _S510 : f32 = mix(sine_cosine_0(f32(_S505.index_5) * _S509).y, sine_cosine_0(f32(_S505.index_5 + u32(1)) * _S509).y, _S505.remainder_0);
-    var _S511 : f32 = sqrt(max(1.0f - _S510 * _S510, 0.0f));
-    var _S512 : vec2<f32> = sine_cosine_0((f32(_S507.index_5) + _S507.remainder_0) * (6.28318548202514648f / f32(_S506)));
-    var _S513 : f32 = _S511 * _S512.x;
-    var _S514 : f32 = - _S511 * _S512.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S513 + frame_record_0.environment_sine_0 * _S514, _S510, frame_record_0.environment_cosine_0 * _S514 - frame_record_0.environment_sine_0 * _S513);
+    var _S508 : u32 = frame_record_0.environment_rows_0;
+    var _S509 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S506.y);
+    var _S510 : u32 = frame_record_0.environment_columns_0;
+    var _S511 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S509.index_5 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S506.x);
+    var _S512 : vec3<f32> = environment_texel_0(_S509.index_5, _S511.index_5);
+    (*_S507) = _S512 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S512), 9.99999968265522539e-21f)));
+    var _S513 : f32 = 3.14159274101257324f / f32(_S508);
+    var _S514 : f32 = mix(sine_cosine_0(f32(_S509.index_5) * _S513).y, sine_cosine_0(f32(_S509.index_5 + u32(1)) * _S513).y, _S509.remainder_0);
+    var _S515 : f32 = sqrt(max(1.0f - _S514 * _S514, 0.0f));
+    var _S516 : vec2<f32> = sine_cosine_0((f32(_S511.index_5) + _S511.remainder_0) * (6.28318548202514648f / f32(_S510)));
+    var _S517 : f32 = _S515 * _S516.x;
+    var _S518 : f32 = - _S515 * _S516.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S517 + frame_record_0.environment_sine_0 * _S518, _S514, frame_record_0.environment_cosine_0 * _S518 - frame_record_0.environment_sine_0 * _S517);
 }
 
-fn light_sample_0( _S515 : u32,  _S516 : vec2<u32>,  _S517 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S519 : u32,  _S520 : vec2<u32>,  _S521 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_1 = 1.00000001504746622e+30f;
-    var _S518 : u32 = frame_record_0.lights_0;
-    if(_S515 >= (frame_record_0.lights_0))
+    var _S522 : u32 = frame_record_0.lights_0;
+    if(_S519 >= (frame_record_0.lights_0))
     {
-        var weight_9 : vec3<f32>;
-        var _S519 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S516, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S515 - _S518), u32(3)), &(weight_9));
-        sample_1.towards_0 = _S519;
-        sample_1.irradiance_1 = weight_9 / vec3<f32>(f32(frame_record_0.environment_samples_0));
+        var weight_8 : vec3<f32>;
+        var _S523 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S520, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S519 - _S522), u32(3)), &(weight_8));
+        sample_1.towards_0 = _S523;
+        sample_1.irradiance_1 = weight_8 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_1;
     }
-    var _S520 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S515);
-    sample_1.irradiance_1 = vec3<f32>(_S520.red_0, _S520.green_0, _S520.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S520.x_7, _S520.y_1, _S520.z_1);
-    if((_S520.is_point_0) != u32(0))
+    var _S524 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S519);
+    sample_1.irradiance_1 = vec3<f32>(_S524.red_0, _S524.green_0, _S524.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S524.x_7, _S524.y_1, _S524.z_1);
+    if((_S524.is_point_0) != u32(0))
     {
-        var _S521 : vec3<f32> = sample_1.towards_0 - _S517;
-        var _S522 : f32 = max(square_0(_S521), 9.999999960041972e-13f);
-        sample_1.distance_1 = sqrt(_S522);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S522);
-        sample_1.towards_0 = normalize(_S521);
+        var _S525 : vec3<f32> = sample_1.towards_0 - _S521;
+        var _S526 : f32 = max(square_0(_S525), 9.999999960041972e-13f);
+        sample_1.distance_1 = sqrt(_S526);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S526);
+        sample_1.towards_0 = normalize(_S525);
     }
     return sample_1;
 }
@@ -2713,6 +2729,7 @@ struct Estimate_0
      components_0 : Components_0,
      close_0 : CloseUp_0,
      albedos_14 : FamilyAlbedos_0,
+     means_4 : FamilyAlbedos_0,
      behind_4 : LayersBehind_0,
 };
 
@@ -2723,22 +2740,22 @@ struct Regime_0
      points_0 : f32,
 };
 
-fn regime_of_0( _S523 : u32,  _S524 : Footprint_0,  _S525 : f32) -> Regime_0
+fn regime_of_0( _S527 : u32,  _S528 : Footprint_0,  _S529 : f32) -> Regime_0
 {
-    var _S526 : f32 = Footprint_spread_side_0(_S524);
-    var _S527 : f32 = clamp((binary_logarithm_0(max(_S526, 9.99999971718068537e-10f)) - fabrics_0[_S523].lobes_0.unit_level_0 - -0.51457315683364868f) / 1.51457309722900391f, 0.0f, 1.0f);
+    var _S530 : f32 = Footprint_spread_side_0(_S528);
+    var _S531 : f32 = clamp((binary_logarithm_0(max(_S530, 9.99999971718068537e-10f)) - fabrics_0[_S527].lobes_0.unit_level_0 - -0.51457315683364868f) / 1.51457309722900391f, 0.0f, 1.0f);
     var regime_0 : Regime_0;
-    var _S528 : f32 = _S527 * _S527 * (3.0f - 2.0f * _S527);
-    regime_0.prefiltered_0 = _S528;
-    var _S529 : f32 = _S526 * fabrics_0[_S523].lobes_0.threads_per_mm_0;
-    regime_0.threads_2 = _S529;
-    regime_0.points_0 = select(0.0f, clamp(_S529 * 12.0f, 1.0f, max(mix(8.0f, 4.0f, _S528) / _S525, 1.0f)), _S528 < 1.0f);
+    var _S532 : f32 = _S531 * _S531 * (3.0f - 2.0f * _S531);
+    regime_0.prefiltered_0 = _S532;
+    var _S533 : f32 = _S530 * fabrics_0[_S527].lobes_0.threads_per_mm_0;
+    regime_0.threads_2 = _S533;
+    regime_0.points_0 = select(0.0f, clamp(_S533 * 12.0f, 1.0f, max(mix(8.0f, 4.0f, _S532) / _S529, 1.0f)), _S532 < 1.0f);
     return regime_0;
 }
 
-fn varies_at_0( _S530 : u32,  _S531 : f32) -> bool
+fn varies_at_0( _S534 : u32,  _S535 : f32) -> bool
 {
-    return (((((fabrics_0[_S530].fibre_noise_0) > 0.0f) | (((fabrics_0[_S530].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S530].has_detail_0) != u32(0)) & ((_S531 >= 0.0f))))));
+    return (((((fabrics_0[_S534].fibre_noise_0) > 0.0f) | (((fabrics_0[_S534].colour_noise_0) > 0.0f)))) | (((((fabrics_0[_S534].has_detail_0) != u32(0)) & ((_S535 >= 0.0f))))));
 }
 
 struct Hit_0
@@ -2749,19 +2766,19 @@ struct Hit_0
      height_9 : f32,
 };
 
-fn whole_plane_0( _S532 : u32) -> Plane_0
+fn whole_plane_0( _S536 : u32) -> Plane_0
 {
     var plane_9 : Plane_0;
-    plane_9.warp_2 = fabrics_0[_S532].warp_0;
-    plane_9.weft_2 = fabrics_0[_S532].weft_0;
-    plane_9.run_words_1 = fabrics_0[_S532].run_words_0;
-    plane_9.ends_2 = fabrics_0[_S532].ends_1;
+    plane_9.warp_2 = fabrics_0[_S536].warp_0;
+    plane_9.weft_2 = fabrics_0[_S536].weft_0;
+    plane_9.run_words_1 = fabrics_0[_S536].run_words_0;
+    plane_9.ends_2 = fabrics_0[_S536].ends_1;
     plane_9.end_numbers_0 = u32(0);
     plane_9.pick_numbers_0 = u32(0);
-    plane_9.max_heights_1 = fabrics_0[_S532].max_heights_0;
-    plane_9.max_height_columns_1 = fabrics_0[_S532].max_height_columns_0;
-    plane_9.height_low_1 = fabrics_0[_S532].height_low_0;
-    plane_9.height_high_1 = fabrics_0[_S532].height_high_0;
+    plane_9.max_heights_1 = fabrics_0[_S536].max_heights_0;
+    plane_9.max_height_columns_1 = fabrics_0[_S536].max_height_columns_0;
+    plane_9.height_low_1 = fabrics_0[_S536].height_low_0;
+    plane_9.height_high_1 = fabrics_0[_S536].height_high_0;
     plane_9.front_level_0 = 0.0f;
     plane_9.back_level_0 = 0.0f;
     plane_9.start_x_0 = 0.0f;
@@ -2771,146 +2788,146 @@ fn whole_plane_0( _S532 : u32) -> Plane_0
     return plane_9;
 }
 
-fn plane_order_0( _S533 : u32,  _S534 : f32,  _S535 : f32,  _S536 : bool) -> u32
+fn plane_order_0( _S537 : u32,  _S538 : f32,  _S539 : f32,  _S540 : bool) -> u32
 {
-    var _S537 : u32 = select(u32(0), locate_varied_0(fabrics_0[_S533].plane_axes_0 + u32(1), _S535).thread_1 * fabrics_0[_S533].ends_1 + locate_varied_0(fabrics_0[_S533].plane_axes_0, _S534).thread_1, (fabrics_0[_S533].stacks_0) > u32(1));
-    return fabrics_0[_S533].plane_orders_0 + u32(2) * fabrics_0[_S533].planes_0 * (u32(2) * ((((words_0[fabrics_0[_S533].regions_0 + _S537 / u32(4)] >> ((u32(8) * (_S537 % u32(4)))))) & (u32(255)))) + select(u32(0), u32(1), _S536));
+    var _S541 : u32 = select(u32(0), locate_varied_0(fabrics_0[_S537].plane_axes_0 + u32(1), _S539).thread_1 * fabrics_0[_S537].ends_1 + locate_varied_0(fabrics_0[_S537].plane_axes_0, _S538).thread_1, (fabrics_0[_S537].stacks_0) > u32(1));
+    return fabrics_0[_S537].plane_orders_0 + u32(2) * fabrics_0[_S537].planes_0 * (u32(2) * ((((words_0[fabrics_0[_S537].regions_0 + _S541 / u32(4)] >> ((u32(8) * (_S541 % u32(4)))))) & (u32(255)))) + select(u32(0), u32(1), _S540));
 }
 
-fn first_bounds_0( _S538 : u32,  _S539 : u32,  _S540 : f32,  _S541 : f32,  _S542 : bool,  _S543 : bool,  _S544 : bool) -> vec3<f32>
+fn first_bounds_0( _S542 : u32,  _S543 : u32,  _S544 : f32,  _S545 : f32,  _S546 : bool,  _S547 : bool,  _S548 : bool) -> vec3<f32>
 {
-    var _S545 : vec3<f32> = bounds_in_0(plane_at_0(fabrics_0[_S538].plane_records_0 + words_0[_S539] * u32(16)), _S540, _S541, _S542, _S543, _S544);
-    var _S546 : Cell_0 = locate_varied_0(fabrics_0[_S538].plane_axes_0, _S540);
-    var _S547 : Cell_0 = locate_varied_0(fabrics_0[_S538].plane_axes_0 + u32(1), _S541);
-    var _S548 : bool = (fabrics_0[_S538].stacks_0) == u32(1);
-    return vec3<f32>(_S545.x + table_number_0(_S539 + u32(1)), min(_S545.y, select(select(_S546.below_0, _S546.above_0, _S543), 1.0e+06f, _S548)), min(_S545.z, select(select(_S547.below_0, _S547.above_0, _S544), 1.0e+06f, _S548)));
+    var _S549 : vec3<f32> = bounds_in_0(plane_at_0(fabrics_0[_S542].plane_records_0 + words_0[_S543] * u32(16)), _S544, _S545, _S546, _S547, _S548);
+    var _S550 : Cell_0 = locate_varied_0(fabrics_0[_S542].plane_axes_0, _S544);
+    var _S551 : Cell_0 = locate_varied_0(fabrics_0[_S542].plane_axes_0 + u32(1), _S545);
+    var _S552 : bool = (fabrics_0[_S542].stacks_0) == u32(1);
+    return vec3<f32>(_S549.x + table_number_0(_S543 + u32(1)), min(_S549.y, select(select(_S550.below_0, _S550.above_0, _S547), 1.0e+06f, _S552)), min(_S549.z, select(select(_S551.below_0, _S551.above_0, _S548), 1.0e+06f, _S552)));
 }
 
-fn plane_shown_0( _S549 : u32,  _S550 : f32,  _S551 : f32,  _S552 : bool,  _S553 : bool,  _S554 : bool) -> PlaneHere_0
+fn plane_shown_0( _S553 : u32,  _S554 : f32,  _S555 : f32,  _S556 : bool,  _S557 : bool,  _S558 : bool) -> PlaneHere_0
 {
     var here_6 : PlaneHere_0;
-    here_6.plane_5 = whole_plane_0(_S549);
+    here_6.plane_5 = whole_plane_0(_S553);
     here_6.number_2 = u32(0);
     here_6.level_1 = 0.0f;
     here_6.edge_x_0 = 1.0e+06f;
     here_6.edge_y_0 = 1.0e+06f;
     here_6.bounds_0 = vec3<f32>(0.0f);
-    if(!is_layered_0(_S549))
+    if(!is_layered_0(_S553))
     {
         return here_6;
     }
-    var _S555 : u32 = plane_order_0(_S549, _S550, _S551, _S552);
-    var _S556 : vec3<f32> = first_bounds_0(_S549, _S555, _S550, _S551, _S552, _S553, _S554);
-    here_6.bounds_0 = _S556;
-    var _S557 : bool = (fabrics_0[_S549].stacks_0) == u32(1);
-    here_6.edge_x_0 = select(_S556.y, 1.0e+06f, _S557);
-    here_6.edge_y_0 = select(_S556.z, 1.0e+06f, _S557);
+    var _S559 : u32 = plane_order_0(_S553, _S554, _S555, _S556);
+    var _S560 : vec3<f32> = first_bounds_0(_S553, _S559, _S554, _S555, _S556, _S557, _S558);
+    here_6.bounds_0 = _S560;
+    var _S561 : bool = (fabrics_0[_S553].stacks_0) == u32(1);
+    here_6.edge_x_0 = select(_S560.y, 1.0e+06f, _S561);
+    here_6.edge_y_0 = select(_S560.z, 1.0e+06f, _S561);
     var is_hole_0 : bool = true;
     var rank_1 : u32 = u32(0);
     for(;;)
     {
-        if(((rank_1 < (fabrics_0[_S549].planes_0)) & (is_hole_0)))
+        if(((rank_1 < (fabrics_0[_S553].planes_0)) & (is_hole_0)))
         {
         }
         else
         {
             break;
         }
-        var _S558 : u32 = _S555 + u32(2) * rank_1;
-        var _S559 : u32 = words_0[_S558];
-        here_6.number_2 = _S559;
-        here_6.level_1 = table_number_0(_S558 + u32(1));
-        here_6.plane_5 = plane_at_0(fabrics_0[_S549].plane_records_0 + _S559 * u32(16));
-        var _S560 : Cell_0 = locate_varied_0(here_6.plane_5.warp_2, _S550 - here_6.plane_5.start_x_0);
-        var _S561 : Cell_0 = locate_varied_0(here_6.plane_5.weft_2, _S551 - here_6.plane_5.start_y_0);
-        var is_hole_1 : bool = !((((abs(_S560.across_0)) < (_S560.half_width_1)) | (((abs(_S561.across_0)) < (_S561.half_width_1)))));
-        here_6.edge_x_0 = min(here_6.edge_x_0, select(1.0e+06f, hole_edge_0(_S560, _S553), is_hole_1));
-        here_6.edge_y_0 = min(here_6.edge_y_0, select(1.0e+06f, hole_edge_0(_S561, _S554), is_hole_1));
-        var _S562 : u32 = rank_1 + u32(1);
+        var _S562 : u32 = _S559 + u32(2) * rank_1;
+        var _S563 : u32 = words_0[_S562];
+        here_6.number_2 = _S563;
+        here_6.level_1 = table_number_0(_S562 + u32(1));
+        here_6.plane_5 = plane_at_0(fabrics_0[_S553].plane_records_0 + _S563 * u32(16));
+        var _S564 : Cell_0 = locate_varied_0(here_6.plane_5.warp_2, _S554 - here_6.plane_5.start_x_0);
+        var _S565 : Cell_0 = locate_varied_0(here_6.plane_5.weft_2, _S555 - here_6.plane_5.start_y_0);
+        var is_hole_1 : bool = !((((abs(_S564.across_0)) < (_S564.half_width_1)) | (((abs(_S565.across_0)) < (_S565.half_width_1)))));
+        here_6.edge_x_0 = min(here_6.edge_x_0, select(1.0e+06f, hole_edge_0(_S564, _S557), is_hole_1));
+        here_6.edge_y_0 = min(here_6.edge_y_0, select(1.0e+06f, hole_edge_0(_S565, _S558), is_hole_1));
+        var _S566 : u32 = rank_1 + u32(1);
         is_hole_0 = is_hole_1;
-        rank_1 = _S562;
+        rank_1 = _S566;
     }
     return here_6;
 }
 
-fn sample_at_0( _S563 : u32,  _S564 : f32,  _S565 : f32,  _S566 : bool) -> Sample_0
+fn sample_at_0( _S567 : u32,  _S568 : f32,  _S569 : f32,  _S570 : bool) -> Sample_0
 {
-    return sample_in_0(plane_shown_0(_S563, _S564, _S565, _S566, true, true), _S564, _S565, _S566);
+    return sample_in_0(plane_shown_0(_S567, _S568, _S569, _S570, true, true), _S568, _S569, _S570);
 }
 
-fn steps_per_length_0( _S567 : u32,  _S568 : SearchQuality_0,  _S569 : vec3<f32>) -> f32
+fn steps_per_length_0( _S571 : u32,  _S572 : SearchQuality_0,  _S573 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S569.x) * fabrics_0[_S567].threads_per_x_0, abs(_S569.y) * fabrics_0[_S567].threads_per_y_0) * _S568.steps_per_thread_0, abs(_S569.z) * fabrics_0[_S567].per_relief_0 * _S568.steps_per_relief_0);
+    return max(max(abs(_S573.x) * fabrics_0[_S571].threads_per_x_0, abs(_S573.y) * fabrics_0[_S571].threads_per_y_0) * _S572.steps_per_thread_0, abs(_S573.z) * fabrics_0[_S571].per_relief_0 * _S572.steps_per_relief_0);
 }
 
-fn plane_count_0( _S570 : u32) -> u32
+fn plane_count_0( _S574 : u32) -> u32
 {
-    return select(u32(1), fabrics_0[_S570].planes_0, is_layered_0(_S570));
+    return select(u32(1), fabrics_0[_S574].planes_0, is_layered_0(_S574));
 }
 
-fn probe_0( _S571 : u32,  _S572 : f32,  _S573 : f32,  _S574 : bool,  _S575 : bool,  _S576 : bool) -> Probe_0
+fn probe_0( _S575 : u32,  _S576 : f32,  _S577 : f32,  _S578 : bool,  _S579 : bool,  _S580 : bool) -> Probe_0
 {
-    var _S577 : PlaneHere_0 = plane_shown_0(_S571, _S572, _S573, _S574, _S575, _S576);
-    var _S578 : Sample_0 = sample_in_0(_S577, _S572, _S573, _S574);
+    var _S581 : PlaneHere_0 = plane_shown_0(_S575, _S576, _S577, _S578, _S579, _S580);
+    var _S582 : Sample_0 = sample_in_0(_S581, _S576, _S577, _S578);
     var probe_1 : Probe_0;
-    probe_1.height_5 = _S578.height_4;
-    probe_1.hole_4 = _S578.shown_2.hole_3;
-    probe_1.slope_x_1 = _S578.slope_x_0;
-    probe_1.slope_y_1 = _S578.slope_y_0;
-    var _S579 : bool = !is_layered_0(_S571);
-    probe_1.yarn_1 = select(_S578.crossing_3.weft_3.thread_1 * u32(2), _S578.crossing_3.warp_3.thread_1 * u32(2) + u32(1), _S578.shown_2.is_warp_2) * plane_count_0(_S571) + _S577.number_2;
-    probe_1.cell_max_0 = select(_S577.bounds_0.x, cell_maximum_0(_S577.plane_5, _S578.crossing_3), _S579);
-    probe_1.side_x_0 = select(_S577.bounds_0.y, select(_S578.crossing_3.warp_3.below_0, _S578.crossing_3.warp_3.above_0, _S575), _S579);
-    probe_1.side_y_0 = select(_S577.bounds_0.z, select(_S578.crossing_3.weft_3.below_0, _S578.crossing_3.weft_3.above_0, _S576), _S579);
-    probe_1.edge_x_1 = min(_S577.edge_x_0, outline_distance_0(_S578.crossing_3.warp_3, _S578.shown_2, _S578.run_2, !_S578.shown_2.is_warp_2, _S575));
-    probe_1.edge_y_1 = min(_S577.edge_y_0, outline_distance_0(_S578.crossing_3.weft_3, _S578.shown_2, _S578.run_2, _S578.shown_2.is_warp_2, _S576));
+    probe_1.height_5 = _S582.height_4;
+    probe_1.hole_4 = _S582.shown_2.hole_3;
+    probe_1.slope_x_1 = _S582.slope_x_0;
+    probe_1.slope_y_1 = _S582.slope_y_0;
+    var _S583 : bool = !is_layered_0(_S575);
+    probe_1.yarn_1 = select(_S582.crossing_3.weft_3.thread_1 * u32(2), _S582.crossing_3.warp_3.thread_1 * u32(2) + u32(1), _S582.shown_2.is_warp_2) * plane_count_0(_S575) + _S581.number_2;
+    probe_1.cell_max_0 = select(_S581.bounds_0.x, cell_maximum_0(_S581.plane_5, _S582.crossing_3), _S583);
+    probe_1.side_x_0 = select(_S581.bounds_0.y, select(_S582.crossing_3.warp_3.below_0, _S582.crossing_3.warp_3.above_0, _S579), _S583);
+    probe_1.side_y_0 = select(_S581.bounds_0.z, select(_S582.crossing_3.weft_3.below_0, _S582.crossing_3.weft_3.above_0, _S580), _S583);
+    probe_1.edge_x_1 = min(_S581.edge_x_0, outline_distance_0(_S582.crossing_3.warp_3, _S582.shown_2, _S582.run_2, !_S582.shown_2.is_warp_2, _S579));
+    probe_1.edge_y_1 = min(_S581.edge_y_0, outline_distance_0(_S582.crossing_3.weft_3, _S582.shown_2, _S582.run_2, _S582.shown_2.is_warp_2, _S580));
     return probe_1;
 }
 
-fn is_free_0( _S580 : u32,  _S581 : SearchQuality_0,  _S582 : vec3<f32>,  _S583 : vec3<f32>,  _S584 : bool,  _S585 : f32) -> bool
+fn is_free_0( _S584 : u32,  _S585 : SearchQuality_0,  _S586 : vec3<f32>,  _S587 : vec3<f32>,  _S588 : bool,  _S589 : f32) -> bool
 {
-    var _S586 : f32 = _S583.z;
-    if(_S586 <= 0.0f)
+    var _S590 : f32 = _S587.z;
+    if(_S590 <= 0.0f)
     {
         return false;
     }
-    var _S587 : f32 = 1.0f / max(_S581.shadow_share_0 * steps_per_length_0(_S580, _S581, _S583), 9.99999971718068537e-10f);
-    var _S588 : StepControl_0 = step_control_0(_S583.xy, _S587);
+    var _S591 : f32 = 1.0f / max(_S585.shadow_share_0 * steps_per_length_0(_S584, _S585, _S587), 9.99999971718068537e-10f);
+    var _S592 : StepControl_0 = step_control_0(_S587.xy, _S591);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_2 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S582.z + _S586 * distance_2) < _S585))))
+        if(((count_4 < u32(1024)) & (((_S586.z + _S590 * distance_2) < _S589))))
         {
         }
         else
         {
             break;
         }
-        var _S589 : vec3<f32> = _S582 + _S583 * vec3<f32>(distance_2);
-        var _S590 : Probe_0 = probe_0(_S580, _S589.x, _S589.y, _S584, _S588.right_1, _S588.up_1);
-        var _S591 : f32 = _S589.z;
-        var _S592 : f32 = _S591 - _S590.height_5;
-        var _S593 : f32 = _S586 - _S590.slope_x_1 * _S583.x - _S590.slope_y_1 * _S583.y;
-        if(((!_S590.hole_4) & ((_S592 < 0.0f))))
+        var _S593 : vec3<f32> = _S586 + _S587 * vec3<f32>(distance_2);
+        var _S594 : Probe_0 = probe_0(_S584, _S593.x, _S593.y, _S588, _S592.right_1, _S592.up_1);
+        var _S595 : f32 = _S593.z;
+        var _S596 : f32 = _S595 - _S594.height_5;
+        var _S597 : f32 = _S590 - _S594.slope_x_1 * _S587.x - _S594.slope_y_1 * _S587.y;
+        if(((!_S594.hole_4) & ((_S596 < 0.0f))))
         {
             return false;
         }
-        var _S594 : f32 = way_back_to_dip_0(previous_3, _S592, _S593, last_step_0, _S590);
-        if(_S594 >= 0.0f)
+        var _S598 : f32 = way_back_to_dip_0(previous_3, _S596, _S597, last_step_0, _S594);
+        if(_S598 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S594;
-            distance_2 = distance_2 - _S594;
+            var last_step_1 : f32 = last_step_0 - _S598;
+            distance_2 = distance_2 - _S598;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S595 : bool = _S591 > (_S590.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S588, _S590, _S592, _S593), max(StepControl_to_cell_exit_0(_S588, _S590.side_x_0, _S590.side_y_0), _S587), _S595);
+        var _S599 : bool = _S595 > (_S594.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S592, _S594, _S596, _S597), max(StepControl_to_cell_exit_0(_S592, _S594.side_x_0, _S594.side_y_0), _S591), _S599);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S592, _S593, _S590, _S595);
+        previous_3 = after_sample_0(_S596, _S597, _S594, _S599);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -2918,13 +2935,13 @@ fn is_free_0( _S580 : u32,  _S581 : SearchQuality_0,  _S582 : vec3<f32>,  _S583 
     return true;
 }
 
-fn passes_through_0( _S596 : u32,  _S597 : SearchQuality_0,  _S598 : f32,  _S599 : f32,  _S600 : vec3<f32>,  _S601 : bool) -> bool
+fn passes_through_0( _S600 : u32,  _S601 : SearchQuality_0,  _S602 : f32,  _S603 : f32,  _S604 : vec3<f32>,  _S605 : bool) -> bool
 {
-    if(!sample_at_0(_S596, _S598, _S599, _S601).shown_2.hole_3)
+    if(!sample_at_0(_S600, _S602, _S603, _S605).shown_2.hole_3)
     {
         return false;
     }
-    var _S602 : vec3<f32> = vec3<f32>(_S598, _S599, 0.0f);
+    var _S606 : vec3<f32> = vec3<f32>(_S602, _S603, 0.0f);
     var passes_0 : bool = true;
     var side_2 : u32 = u32(0);
     for(;;)
@@ -2936,10 +2953,10 @@ fn passes_through_0( _S596 : u32,  _S597 : SearchQuality_0,  _S598 : f32,  _S599
         {
             break;
         }
-        var _S603 : bool = is_free_0(_S596, _S597, _S602, select_vector_1(side_2 == u32(0), _S600, vec3<f32>(- _S600.x, - _S600.y, _S600.z)), _S601 != (side_2 == u32(1)), fabrics_0[_S596].height_high_0);
-        var _S604 : u32 = side_2 + u32(1);
-        passes_0 = _S603;
-        side_2 = _S604;
+        var _S607 : bool = is_free_0(_S600, _S601, _S606, select_vector_1(side_2 == u32(0), _S604, vec3<f32>(- _S604.x, - _S604.y, _S604.z)), _S605 != (side_2 == u32(1)), fabrics_0[_S600].height_high_0);
+        var _S608 : u32 = side_2 + u32(1);
+        passes_0 = _S607;
+        side_2 = _S608;
     }
     return passes_0;
 }
@@ -2954,40 +2971,40 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn plane_of_0( _S605 : u32,  _S606 : u32) -> Plane_0
+fn plane_of_0( _S609 : u32,  _S610 : u32) -> Plane_0
 {
-    if(!is_layered_0(_S605))
+    if(!is_layered_0(_S609))
     {
-        return whole_plane_0(_S605);
+        return whole_plane_0(_S609);
     }
-    return plane_at_0(fabrics_0[_S605].plane_records_0 + _S606 * u32(16));
+    return plane_at_0(fabrics_0[_S609].plane_records_0 + _S610 * u32(16));
 }
 
-fn max_height_along_0( _S607 : u32,  _S608 : f32,  _S609 : f32,  _S610 : f32,  _S611 : vec3<f32>,  _S612 : bool) -> f32
+fn max_height_along_0( _S611 : u32,  _S612 : f32,  _S613 : f32,  _S614 : f32,  _S615 : vec3<f32>,  _S616 : bool) -> f32
 {
-    var _S613 : f32 = _S611.x;
-    var _S614 : f32 = _S611.y;
-    var _S615 : u32 = select(u32(0), u32(1), _S613 > 0.0f) + select(u32(0), u32(2), _S614 > 0.0f);
-    var _S616 : f32 = max(abs(_S613) * fabrics_0[_S607].threads_per_x_0, abs(_S614) * fabrics_0[_S607].threads_per_y_0) / _S611.z;
+    var _S617 : f32 = _S615.x;
+    var _S618 : f32 = _S615.y;
+    var _S619 : u32 = select(u32(0), u32(1), _S617 > 0.0f) + select(u32(0), u32(2), _S618 > 0.0f);
+    var _S620 : f32 = max(abs(_S617) * fabrics_0[_S611].threads_per_x_0, abs(_S618) * fabrics_0[_S611].threads_per_y_0) / _S615.z;
     var levels_4 : vec4<f32> = vec4<f32>(-1.00000001504746622e+30f);
     var number_5 : u32 = u32(0);
     for(;;)
     {
-        if(number_5 < (plane_count_0(_S607)))
+        if(number_5 < (plane_count_0(_S611)))
         {
         }
         else
         {
             break;
         }
-        var _S617 : Plane_0 = plane_of_0(_S607, number_5);
-        var _S618 : u32 = (words_0[_S617.max_heights_1 + u32(4) * (locate_0(_S617.weft_2, _S609 - _S617.start_y_0).thread_1 / u32(2) * _S617.max_height_columns_1 + locate_0(_S617.warp_2, _S608 - _S617.start_x_0).thread_1 / u32(2)) + _S615] >> (u32(select(i32(0), i32(4), _S612))));
-        var _S619 : vec4<f32> = max(levels_4, vec4<f32>(f32((_S618 & (u32(15)))), f32((((_S618 >> (u32(8)))) & (u32(15)))), f32((((_S618 >> (u32(16)))) & (u32(15)))), f32((((_S618 >> (u32(24)))) & (u32(15))))) * vec4<f32>(0.06666667014360428f) * vec4<f32>(_S617.height_high_1) + vec4<f32>(select(_S617.front_level_0, _S617.back_level_0, _S612)));
-        var _S620 : u32 = number_5 + u32(1);
-        levels_4 = _S619;
-        number_5 = _S620;
+        var _S621 : Plane_0 = plane_of_0(_S611, number_5);
+        var _S622 : u32 = (words_0[_S621.max_heights_1 + u32(4) * (locate_0(_S621.weft_2, _S613 - _S621.start_y_0).thread_1 / u32(2) * _S621.max_height_columns_1 + locate_0(_S621.warp_2, _S612 - _S621.start_x_0).thread_1 / u32(2)) + _S619] >> (u32(select(i32(0), i32(4), _S616))));
+        var _S623 : vec4<f32> = max(levels_4, vec4<f32>(f32((_S622 & (u32(15)))), f32((((_S622 >> (u32(8)))) & (u32(15)))), f32((((_S622 >> (u32(16)))) & (u32(15)))), f32((((_S622 >> (u32(24)))) & (u32(15))))) * vec4<f32>(0.06666667014360428f) * vec4<f32>(_S621.height_high_1) + vec4<f32>(select(_S621.front_level_0, _S621.back_level_0, _S616)));
+        var _S624 : u32 = number_5 + u32(1);
+        levels_4 = _S623;
+        number_5 = _S624;
     }
-    var max_height_0 : f32 = fabrics_0[_S607].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S611].height_high_0;
     var number_6 : i32 = i32(3);
     for(;;)
     {
@@ -2998,7 +3015,7 @@ fn max_height_along_0( _S607 : u32,  _S608 : f32,  _S609 : f32,  _S610 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S610) * _S616) <= (PYRAMID_RADII_0[number_6]))
+        if(((max_height_0 - _S614) * _S620) <= (PYRAMID_RADII_0[number_6]))
         {
             max_height_0 = min(max_height_0, levels_4[number_6]);
         }
@@ -3007,20 +3024,20 @@ fn max_height_along_0( _S607 : u32,  _S608 : f32,  _S609 : f32,  _S610 : f32,  _
     return max_height_0;
 }
 
-fn cell_bounds_0( _S621 : u32,  _S622 : f32,  _S623 : f32,  _S624 : bool,  _S625 : bool,  _S626 : bool) -> vec3<f32>
+fn cell_bounds_0( _S625 : u32,  _S626 : f32,  _S627 : f32,  _S628 : bool,  _S629 : bool,  _S630 : bool) -> vec3<f32>
 {
-    if(is_layered_0(_S621))
+    if(is_layered_0(_S625))
     {
-        return first_bounds_0(_S621, plane_order_0(_S621, _S622, _S623, _S624), _S622, _S623, _S624, _S625, _S626);
+        return first_bounds_0(_S625, plane_order_0(_S625, _S626, _S627, _S628), _S626, _S627, _S628, _S629, _S630);
     }
-    return bounds_in_0(whole_plane_0(_S621), _S622, _S623, _S624, _S625, _S626);
+    return bounds_in_0(whole_plane_0(_S625), _S626, _S627, _S628, _S629, _S630);
 }
 
-fn first_sample_height_0( _S627 : u32,  _S628 : ViewRay_0,  _S629 : StepControl_0,  _S630 : bool) -> f32
+fn first_sample_height_0( _S631 : u32,  _S632 : ViewRay_0,  _S633 : StepControl_0,  _S634 : bool) -> f32
 {
-    var _S631 : f32 = max_height_along_0(_S627, _S628.origin_0.x, _S628.origin_0.y, 0.0f, vec3<f32>(_S628.slope_1, 1.0f), _S630);
+    var _S635 : f32 = max_height_along_0(_S631, _S632.origin_0.x, _S632.origin_0.y, 0.0f, vec3<f32>(_S632.slope_1, 1.0f), _S634);
     var count_5 : u32 = u32(0);
-    var height_11 : f32 = _S631;
+    var height_11 : f32 = _S635;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -3030,12 +3047,12 @@ fn first_sample_height_0( _S627 : u32,  _S628 : ViewRay_0,  _S629 : StepControl_
         {
             break;
         }
-        var _S632 : vec2<f32> = ViewRay_at_0(_S628, height_11);
-        var _S633 : vec3<f32> = cell_bounds_0(_S627, _S632.x, _S632.y, _S630, _S629.right_1, _S629.up_1);
-        var _S634 : f32 = height_11 - _S633.x;
-        var _S635 : f32 = StepControl_to_cell_exit_0(_S629, _S633.y, _S633.z);
-        var height_12 : f32 = height_11 - clamp(_S634, 0.0f, _S635);
-        if(_S634 <= _S635)
+        var _S636 : vec2<f32> = ViewRay_at_0(_S632, height_11);
+        var _S637 : vec3<f32> = cell_bounds_0(_S631, _S636.x, _S636.y, _S634, _S633.right_1, _S633.up_1);
+        var _S638 : f32 = height_11 - _S637.x;
+        var _S639 : f32 = StepControl_to_cell_exit_0(_S633, _S637.y, _S637.z);
+        var height_12 : f32 = height_11 - clamp(_S638, 0.0f, _S639);
+        if(_S638 <= _S639)
         {
             height_11 = height_12;
             break;
@@ -3046,12 +3063,12 @@ fn first_sample_height_0( _S627 : u32,  _S628 : ViewRay_0,  _S629 : StepControl_
     return height_11;
 }
 
-fn search_down_0( _S636 : u32,  _S637 : ViewRay_0,  _S638 : StepControl_0,  _S639 : bool) -> ViewRayEnd_0
+fn search_down_0( _S640 : u32,  _S641 : ViewRay_0,  _S642 : StepControl_0,  _S643 : bool) -> ViewRayEnd_0
 {
-    var _S640 : f32 = fabrics_0[_S636].height_low_0 - (fabrics_0[_S636].height_high_0 - fabrics_0[_S636].height_low_0);
+    var _S644 : f32 = fabrics_0[_S640].height_low_0 - (fabrics_0[_S640].height_high_0 - fabrics_0[_S640].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_10 = first_sample_height_0(_S636, _S637, _S638, _S639);
-    end_1.last_step_3 = _S638.epsilon_0;
+    end_1.height_10 = first_sample_height_0(_S640, _S641, _S642, _S643);
+    end_1.last_step_3 = _S642.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_2 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -3066,301 +3083,301 @@ fn search_down_0( _S636 : u32,  _S637 : ViewRay_0,  _S638 : StepControl_0,  _S63
         {
             break;
         }
-        var _S641 : vec2<f32> = ViewRay_at_0(_S637, end_1.height_10);
-        var _S642 : Probe_0 = probe_0(_S636, _S641.x, _S641.y, _S639, _S638.right_1, _S638.up_1);
-        var _S643 : f32 = end_1.height_10 - _S642.height_5;
-        var _S644 : f32 = ViewRay_rate_0(_S637, _S642);
-        end_1.depth_2 = - _S643;
-        end_1.rate_4 = _S644;
-        var _S645 : bool = !_S642.hole_4;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S645))) & (((end_1.previous_4.yarn_0) == (_S642.yarn_1))));
-        if((((_S645 & ((_S643 <= 0.0f)))) | (((end_1.height_10) <= _S640))))
+        var _S645 : vec2<f32> = ViewRay_at_0(_S641, end_1.height_10);
+        var _S646 : Probe_0 = probe_0(_S640, _S645.x, _S645.y, _S643, _S642.right_1, _S642.up_1);
+        var _S647 : f32 = end_1.height_10 - _S646.height_5;
+        var _S648 : f32 = ViewRay_rate_0(_S641, _S646);
+        end_1.depth_2 = - _S647;
+        end_1.rate_4 = _S648;
+        var _S649 : bool = !_S646.hole_4;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S649))) & (((end_1.previous_4.yarn_0) == (_S646.yarn_1))));
+        if((((_S649 & ((_S647 <= 0.0f)))) | (((end_1.height_10) <= _S644))))
         {
             break;
         }
-        var _S646 : f32 = way_back_to_dip_0(end_1.previous_4, _S643, _S644, end_1.last_step_3, _S642);
-        if(_S646 >= 0.0f)
+        var _S650 : f32 = way_back_to_dip_0(end_1.previous_4, _S647, _S648, end_1.last_step_3, _S646);
+        if(_S650 >= 0.0f)
         {
-            end_1.height_10 = end_1.height_10 + _S646;
-            end_1.last_step_3 = end_1.last_step_3 - _S646;
+            end_1.height_10 = end_1.height_10 + _S650;
+            end_1.last_step_3 = end_1.last_step_3 - _S650;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S647 : f32 = min(StepControl_to_cell_exit_0(_S638, _S642.side_x_0, _S642.side_y_0), end_1.height_10 - _S642.cell_max_0);
-        var _S648 : f32 = StepControl_to_next_sample_0(_S638, _S642, _S643, _S644);
-        end_1.previous_4 = after_sample_0(_S643, _S644, _S642, _S647 > _S648);
-        var _S649 : f32 = max(_S647, _S648);
-        end_1.last_step_3 = _S649;
-        end_1.height_10 = end_1.height_10 - _S649;
+        var _S651 : f32 = min(StepControl_to_cell_exit_0(_S642, _S646.side_x_0, _S646.side_y_0), end_1.height_10 - _S646.cell_max_0);
+        var _S652 : f32 = StepControl_to_next_sample_0(_S642, _S646, _S647, _S648);
+        end_1.previous_4 = after_sample_0(_S647, _S648, _S646, _S651 > _S652);
+        var _S653 : f32 = max(_S651, _S652);
+        end_1.last_step_3 = _S653;
+        end_1.height_10 = end_1.height_10 - _S653;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S650 : u32,  _S651 : ViewRay_0,  _S652 : StepControl_0,  _S653 : bool,  _S654 : ViewRayEnd_0,  _S655 : u32) -> f32
+fn refined_height_0( _S654 : u32,  _S655 : ViewRay_0,  _S656 : StepControl_0,  _S657 : bool,  _S658 : ViewRayEnd_0,  _S659 : u32) -> f32
 {
-    var _S656 : f32 = fabrics_0[_S650].height_high_0 - fabrics_0[_S650].height_low_0;
-    var above_2 : f32 = _S654.height_10 + _S654.last_step_3;
-    var above_gap_1 : f32 = clamp(_S654.previous_4.clearance_0, 0.0f, _S656);
-    var under_gap_1 : f32 = clamp(_S654.depth_2, 0.0f, _S656);
-    var middle_0 : f32 = select(between_0(above_2, _S654.height_10, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S654.previous_4.rate_0 * _S654.last_step_3, _S654.rate_4 * _S654.last_step_3) * _S654.last_step_3, _S654.smooth_0);
+    var _S660 : f32 = fabrics_0[_S654].height_high_0 - fabrics_0[_S654].height_low_0;
+    var above_2 : f32 = _S658.height_10 + _S658.last_step_3;
+    var above_gap_1 : f32 = clamp(_S658.previous_4.clearance_0, 0.0f, _S660);
+    var under_gap_1 : f32 = clamp(_S658.depth_2, 0.0f, _S660);
+    var middle_0 : f32 = select(between_0(above_2, _S658.height_10, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S658.previous_4.rate_0 * _S658.last_step_3, _S658.rate_4 * _S658.last_step_3) * _S658.last_step_3, _S658.smooth_0);
     var side_3 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S654.height_10;
+    var under_1 : f32 = _S658.height_10;
     var above_3 : f32 = above_2;
     var i_2 : u32 = u32(0);
     for(;;)
     {
-        if(i_2 < _S655)
+        if(i_2 < _S659)
         {
         }
         else
         {
             break;
         }
-        var _S657 : vec2<f32> = ViewRay_at_0(_S651, middle_0);
-        var _S658 : Probe_0 = probe_0(_S650, _S657.x, _S657.y, _S653, _S652.right_1, _S652.up_1);
-        var _S659 : f32 = clamp(middle_0 - select(_S658.height_5, -1.0e+09f, _S658.hole_4), - _S656, _S656);
-        if(_S659 <= 0.0f)
+        var _S661 : vec2<f32> = ViewRay_at_0(_S655, middle_0);
+        var _S662 : Probe_0 = probe_0(_S654, _S661.x, _S661.y, _S657, _S656.right_1, _S656.up_1);
+        var _S663 : f32 = clamp(middle_0 - select(_S662.height_5, -1.0e+09f, _S662.hole_4), - _S660, _S660);
+        if(_S663 <= 0.0f)
         {
-            var _S660 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
-            var _S661 : f32 = - _S659;
+            var _S664 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_3 > 0.0f);
+            var _S665 : f32 = - _S663;
             under_1 = middle_0;
-            above_gap_2 = _S660;
-            under_gap_2 = _S661;
+            above_gap_2 = _S664;
+            under_gap_2 = _S665;
             side_3 = 1.0f;
         }
         else
         {
-            var _S662 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
+            var _S666 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_3 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S659;
-            under_gap_2 = _S662;
+            above_gap_2 = _S663;
+            under_gap_2 = _S666;
             side_3 = -1.0f;
         }
-        var _S663 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S659 / min(ViewRay_rate_0(_S651, _S658), -9.99999997475242708e-07f), under_1, above_3), _S654.smooth_0);
-        var _S664 : u32 = i_2 + u32(1);
-        middle_0 = _S663;
-        i_2 = _S664;
+        var _S667 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S663 / min(ViewRay_rate_0(_S655, _S662), -9.99999997475242708e-07f), under_1, above_3), _S658.smooth_0);
+        var _S668 : u32 = i_2 + u32(1);
+        middle_0 = _S667;
+        i_2 = _S668;
     }
-    return select(under_1, middle_0, _S654.smooth_0);
+    return select(under_1, middle_0, _S658.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S665 : u32,  _S666 : SearchQuality_0,  _S667 : f32,  _S668 : f32,  _S669 : vec3<f32>,  _S670 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S669 : u32,  _S670 : SearchQuality_0,  _S671 : f32,  _S672 : f32,  _S673 : vec3<f32>,  _S674 : bool) -> Hit_0
 {
-    var _S671 : f32 = max(_S669.z, 0.00009999999747379f);
+    var _S675 : f32 = max(_S673.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S667, _S668);
-    var _S672 : vec2<f32> = _S669.xy / vec2<f32>(_S671);
-    ray_0.slope_1 = _S672;
-    var _S673 : StepControl_0 = step_control_0((vec2<f32>(0) - _S672), 1.0f / max(steps_per_length_0(_S665, _S666, _S669) / _S671, 9.99999971718068537e-10f));
-    var _S674 : ViewRayEnd_0 = search_down_0(_S665, ray_0, _S673, _S670);
+    ray_0.origin_0 = vec2<f32>(_S671, _S672);
+    var _S676 : vec2<f32> = _S673.xy / vec2<f32>(_S675);
+    ray_0.slope_1 = _S676;
+    var _S677 : StepControl_0 = step_control_0((vec2<f32>(0) - _S676), 1.0f / max(steps_per_length_0(_S669, _S670, _S673) / _S675, 9.99999971718068537e-10f));
+    var _S678 : ViewRayEnd_0 = search_down_0(_S669, ray_0, _S677, _S674);
     var hit_0 : Hit_0;
     hit_0.hole_7 = false;
-    var _S675 : f32 = refined_height_0(_S665, ray_0, _S673, _S670, _S674, _S666.refinements_0);
-    hit_0.height_9 = _S675;
-    var _S676 : vec2<f32> = ViewRay_at_0(ray_0, _S675);
-    hit_0.x_21 = _S676.x;
-    hit_0.y_14 = _S676.y;
+    var _S679 : f32 = refined_height_0(_S669, ray_0, _S677, _S674, _S678, _S670.refinements_0);
+    hit_0.height_9 = _S679;
+    var _S680 : vec2<f32> = ViewRay_at_0(ray_0, _S679);
+    hit_0.x_21 = _S680.x;
+    hit_0.y_14 = _S680.y;
     return hit_0;
 }
 
-fn first_hit_0( _S677 : u32,  _S678 : SearchQuality_0,  _S679 : f32,  _S680 : f32,  _S681 : vec3<f32>,  _S682 : bool) -> Hit_0
+fn first_hit_0( _S681 : u32,  _S682 : SearchQuality_0,  _S683 : f32,  _S684 : f32,  _S685 : vec3<f32>,  _S686 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S677, _S678, _S679, _S680, _S681, _S682))
+    if(!passes_through_0(_S681, _S682, _S683, _S684, _S685, _S686))
     {
-        return first_hit_of_yarn_0(_S677, _S678, _S679, _S680, _S681, _S682);
+        return first_hit_of_yarn_0(_S681, _S682, _S683, _S684, _S685, _S686);
     }
     var hit_1 : Hit_0;
-    hit_1.x_21 = _S679;
-    hit_1.y_14 = _S680;
+    hit_1.x_21 = _S683;
+    hit_1.y_14 = _S684;
     hit_1.height_9 = 0.0f;
     hit_1.hole_7 = true;
     return hit_1;
 }
 
-fn surface_of_0( _S683 : u32,  _S684 : Sample_0,  _S685 : f32,  _S686 : f32,  _S687 : bool) -> SurfacePoint_0
+fn surface_of_0( _S687 : u32,  _S688 : Sample_0,  _S689 : f32,  _S690 : f32,  _S691 : bool) -> SurfacePoint_0
 {
-    var _S688 : u32 = select(fabrics_0[_S683].weft_0, fabrics_0[_S683].warp_0, _S684.shown_2.is_warp_2);
-    var _S689 : f32 = families_0[_S688].twist_sine_0 * select(1.0f, -1.0f, _S687);
-    var _S690 : f32 = families_0[_S688].twist_cosine_0;
-    var _S691 : f32 = select(-1.0f, 1.0f, _S684.shown_2.is_warp_2);
-    var _S692 : vec2<f32> = fibre_direction_0(_S684.slope_across_0, _S691 * _S684.slope_along_0, _S689, families_0[_S688].twist_cosine_0);
-    var _S693 : f32 = _S692.x;
-    var _S694 : f32 = _S692.y;
-    var _S695 : f32 = select(_S684.slope_y_0, _S684.slope_x_0, _S684.shown_2.is_warp_2) * _S693 + _S691 * select(_S684.slope_x_0, _S684.slope_y_0, _S684.shown_2.is_warp_2) * _S694;
-    var _S696 : f32 = select(_S684.crossing_3.weft_3.half_width_1, _S684.crossing_3.warp_3.half_width_1, _S684.shown_2.is_warp_2) * 1.0154266357421875f;
-    var _S697 : f32 = _S696 * arc_sine_0(clamp(_S684.section_1.across_3 / _S696, -1.0f, 1.0f));
-    var _S698 : f32 = select(_S684.here_0.plane_5.start_x_0 - _S685, _S686 - _S684.here_0.plane_5.start_y_0, _S684.shown_2.is_warp_2);
+    var _S692 : u32 = select(fabrics_0[_S687].weft_0, fabrics_0[_S687].warp_0, _S688.shown_2.is_warp_2);
+    var _S693 : f32 = families_0[_S692].twist_sine_0 * select(1.0f, -1.0f, _S691);
+    var _S694 : f32 = families_0[_S692].twist_cosine_0;
+    var _S695 : f32 = select(-1.0f, 1.0f, _S688.shown_2.is_warp_2);
+    var _S696 : vec2<f32> = fibre_direction_0(_S688.slope_across_0, _S695 * _S688.slope_along_0, _S693, families_0[_S692].twist_cosine_0);
+    var _S697 : f32 = _S696.x;
+    var _S698 : f32 = _S696.y;
+    var _S699 : f32 = select(_S688.slope_y_0, _S688.slope_x_0, _S688.shown_2.is_warp_2) * _S697 + _S695 * select(_S688.slope_x_0, _S688.slope_y_0, _S688.shown_2.is_warp_2) * _S698;
+    var _S700 : f32 = select(_S688.crossing_3.weft_3.half_width_1, _S688.crossing_3.warp_3.half_width_1, _S688.shown_2.is_warp_2) * 1.0154266357421875f;
+    var _S701 : f32 = _S700 * arc_sine_0(clamp(_S688.section_1.across_3 / _S700, -1.0f, 1.0f));
+    var _S702 : f32 = select(_S688.here_0.plane_5.start_x_0 - _S689, _S690 - _S688.here_0.plane_5.start_y_0, _S688.shown_2.is_warp_2);
     var point_4 : SurfacePoint_0;
-    point_4.hole_0 = _S684.shown_2.hole_3;
-    point_4.is_warp_0 = _S684.shown_2.is_warp_2;
-    point_4.warp_thread_0 = _S684.crossing_3.warp_3.thread_1;
-    point_4.weft_thread_0 = _S684.crossing_3.weft_3.thread_1;
-    if(is_layered_0(_S683))
+    point_4.hole_0 = _S688.shown_2.hole_3;
+    point_4.is_warp_0 = _S688.shown_2.is_warp_2;
+    point_4.warp_thread_0 = _S688.crossing_3.warp_3.thread_1;
+    point_4.weft_thread_0 = _S688.crossing_3.weft_3.thread_1;
+    if(is_layered_0(_S687))
     {
-        point_4.warp_thread_0 = words_0[_S684.here_0.plane_5.end_numbers_0 + point_4.warp_thread_0];
-        point_4.weft_thread_0 = words_0[_S684.here_0.plane_5.pick_numbers_0 + point_4.weft_thread_0];
+        point_4.warp_thread_0 = words_0[_S688.here_0.plane_5.end_numbers_0 + point_4.warp_thread_0];
+        point_4.weft_thread_0 = words_0[_S688.here_0.plane_5.pick_numbers_0 + point_4.weft_thread_0];
     }
-    point_4.height_2 = _S684.height_4;
-    point_4.plane_0 = _S684.here_0.level_1;
-    point_4.layer_0 = _S684.here_0.number_2;
-    point_4.normal_1 = normalize(vec3<f32>(- _S684.slope_x_0, - _S684.slope_y_0, 1.0f));
-    point_4.tangent_0 = normalize(select_vector_1(_S684.shown_2.is_warp_2, vec3<f32>(_S693, _S694, _S695), vec3<f32>(- _S694, _S693, _S695)));
-    point_4.across_1 = _S684.section_1.across_3;
-    point_4.fibre_across_0 = _S697 * _S690 + _S698 * _S689;
-    point_4.fibre_along_0 = _S698 * _S690 - _S697 * _S689;
-    var _S699 : f32 = run_share_0(_S684.shown_2.word_0);
-    point_4.shown_share_0 = select(1.0f - _S699, _S699, _S684.shown_2.on_top_0);
-    point_4.x_8 = _S685;
-    point_4.y_2 = _S686;
+    point_4.height_2 = _S688.height_4;
+    point_4.plane_0 = _S688.here_0.level_1;
+    point_4.layer_0 = _S688.here_0.number_2;
+    point_4.normal_1 = normalize(vec3<f32>(- _S688.slope_x_0, - _S688.slope_y_0, 1.0f));
+    point_4.tangent_0 = normalize(select_vector_1(_S688.shown_2.is_warp_2, vec3<f32>(_S697, _S698, _S699), vec3<f32>(- _S698, _S697, _S699)));
+    point_4.across_1 = _S688.section_1.across_3;
+    point_4.fibre_across_0 = _S701 * _S694 + _S702 * _S693;
+    point_4.fibre_along_0 = _S702 * _S694 - _S701 * _S693;
+    var _S703 : f32 = run_share_0(_S688.shown_2.word_0);
+    point_4.shown_share_0 = select(1.0f - _S703, _S703, _S688.shown_2.on_top_0);
+    point_4.x_8 = _S689;
+    point_4.y_2 = _S690;
     return point_4;
 }
 
-fn surface_met_0( _S700 : u32,  _S701 : f32,  _S702 : f32,  _S703 : f32,  _S704 : vec3<f32>,  _S705 : bool) -> SurfacePoint_0
+fn surface_met_0( _S704 : u32,  _S705 : f32,  _S706 : f32,  _S707 : f32,  _S708 : vec3<f32>,  _S709 : bool) -> SurfacePoint_0
 {
-    var _S706 : Sample_0 = sample_at_0(_S700, _S701, _S702, _S705);
-    var point_5 : SurfacePoint_0 = surface_of_0(_S700, _S706, _S701, _S702, _S705);
-    var _S707 : u32 = select(fabrics_0[_S700].weft_0, fabrics_0[_S700].warp_0, point_5.is_warp_0);
-    var _S708 : f32 = select(_S706.crossing_3.weft_3.half_width_1, _S706.crossing_3.warp_3.half_width_1, point_5.is_warp_0) * 1.0154266357421875f;
-    var _S709 : f32 = _S706.dive_1.z;
-    var _S710 : f32 = _S706.slope_along_0 - (1.0f - _S709) * _S706.dive_1.y / families_0[_S707].height_scale_0;
-    var _S711 : f32 = rsqrt_0(_S710 * _S710 + 1.0f);
-    var _S712 : f32 = _S704.x;
-    var _S713 : f32 = _S704.y;
-    var _S714 : f32 = select(_S713, _S712, point_5.is_warp_0);
-    var _S715 : f32 = _S704.z;
-    var _S716 : f32 = (_S715 / families_0[_S707].height_scale_0 - _S710 * select(_S712, _S713, point_5.is_warp_0)) * _S711;
-    var _S717 : f32 = square_1(_S708);
-    var _S718 : f32 = sqrt(max(_S717 - square_1(point_5.across_1), 0.0f)) - (_S706.height_4 + _S709 * _S706.dive_1.x - _S703) / families_0[_S707].height_scale_0 * _S711;
-    var _S719 : f32 = square_1(_S714) + square_1(_S716) + 9.999999960041972e-13f;
-    var _S720 : f32 = point_5.across_1 * _S714 + _S718 * _S716;
-    var _S721 : f32 = square_1(point_5.across_1) + square_1(_S718) - _S717;
-    var _S722 : f32 = sqrt(max(square_1(_S720) - _S719 * _S721, 0.0f));
-    var _S723 : f32 = clamp(select((_S722 - _S720) / _S719, - _S721 / max(_S720 + _S722, 9.999999960041972e-13f), _S720 > 0.0f), - _S708, _S708);
-    var _S724 : f32 = point_5.across_1 + _S723 * _S714;
-    point_5.across_1 = _S724;
-    var _S725 : vec2<f32> = normalize(vec2<f32>(_S724, _S718 + _S723 * _S716));
-    var _S726 : f32 = select(-1.0f, 1.0f, point_5.is_warp_0);
-    var _S727 : f32 = families_0[_S707].twist_sine_0 * select(1.0f, -1.0f, _S705);
-    var _S728 : f32 = _S725.x;
-    var _S729 : f32 = _S727 * _S728 * _S711;
-    var _S730 : f32 = _S725.y;
-    var _S731 : f32 = - _S727 * _S730;
-    var _S732 : f32 = families_0[_S707].twist_cosine_0 * _S711 - _S726 * _S710 * _S729;
-    var _S733 : f32 = families_0[_S707].height_scale_0 * (families_0[_S707].twist_cosine_0 * _S726 * _S710 * _S711 + _S729);
-    var _S734 : f32 = families_0[_S707].height_scale_0 * _S728;
-    var _S735 : f32 = - families_0[_S707].height_scale_0 * _S710 * _S711 * _S730;
-    point_5.normal_1 = normalize(vec3<f32>(select(_S735, _S734, point_5.is_warp_0), select(_S734, _S735, point_5.is_warp_0), _S711 * _S730));
-    point_5.tangent_0 = normalize(vec3<f32>(select(- _S732, _S731, point_5.is_warp_0), select(_S731, _S732, point_5.is_warp_0), _S733));
-    var _S736 : f32 = _S708 * angle_of_0(_S725);
-    var _S737 : f32 = select(- _S701 - _S723 * _S712, _S702 + _S723 * _S713, point_5.is_warp_0);
-    point_5.fibre_across_0 = _S736 * families_0[_S707].twist_cosine_0 + _S737 * _S727;
-    point_5.fibre_along_0 = _S737 * families_0[_S707].twist_cosine_0 - _S736 * _S727;
-    var _S738 : f32 = 0.00999999977648258f * _S708;
-    var _S739 : f32 = - _S738;
-    var _S740 : bool = _S723 < _S739;
-    var _S741 : f32 = select(_S738, _S739, _S714 < 0.0f);
-    var _S742 : f32 = max(_S723, 0.0f);
-    point_5.x_8 = point_5.x_8 + select(_S742 * _S712, select(0.0f, _S741, point_5.is_warp_0), _S740);
-    point_5.y_2 = point_5.y_2 + select(_S742 * _S713, select(_S741, 0.0f, point_5.is_warp_0), _S740);
-    point_5.height_2 = select(_S703 + _S723 * _S715, _S703, _S740);
+    var _S710 : Sample_0 = sample_at_0(_S704, _S705, _S706, _S709);
+    var point_5 : SurfacePoint_0 = surface_of_0(_S704, _S710, _S705, _S706, _S709);
+    var _S711 : u32 = select(fabrics_0[_S704].weft_0, fabrics_0[_S704].warp_0, point_5.is_warp_0);
+    var _S712 : f32 = select(_S710.crossing_3.weft_3.half_width_1, _S710.crossing_3.warp_3.half_width_1, point_5.is_warp_0) * 1.0154266357421875f;
+    var _S713 : f32 = _S710.dive_1.z;
+    var _S714 : f32 = _S710.slope_along_0 - (1.0f - _S713) * _S710.dive_1.y / families_0[_S711].height_scale_0;
+    var _S715 : f32 = rsqrt_0(_S714 * _S714 + 1.0f);
+    var _S716 : f32 = _S708.x;
+    var _S717 : f32 = _S708.y;
+    var _S718 : f32 = select(_S717, _S716, point_5.is_warp_0);
+    var _S719 : f32 = _S708.z;
+    var _S720 : f32 = (_S719 / families_0[_S711].height_scale_0 - _S714 * select(_S716, _S717, point_5.is_warp_0)) * _S715;
+    var _S721 : f32 = square_1(_S712);
+    var _S722 : f32 = sqrt(max(_S721 - square_1(point_5.across_1), 0.0f)) - (_S710.height_4 + _S713 * _S710.dive_1.x - _S707) / families_0[_S711].height_scale_0 * _S715;
+    var _S723 : f32 = square_1(_S718) + square_1(_S720) + 9.999999960041972e-13f;
+    var _S724 : f32 = point_5.across_1 * _S718 + _S722 * _S720;
+    var _S725 : f32 = square_1(point_5.across_1) + square_1(_S722) - _S721;
+    var _S726 : f32 = sqrt(max(square_1(_S724) - _S723 * _S725, 0.0f));
+    var _S727 : f32 = clamp(select((_S726 - _S724) / _S723, - _S725 / max(_S724 + _S726, 9.999999960041972e-13f), _S724 > 0.0f), - _S712, _S712);
+    var _S728 : f32 = point_5.across_1 + _S727 * _S718;
+    point_5.across_1 = _S728;
+    var _S729 : vec2<f32> = normalize(vec2<f32>(_S728, _S722 + _S727 * _S720));
+    var _S730 : f32 = select(-1.0f, 1.0f, point_5.is_warp_0);
+    var _S731 : f32 = families_0[_S711].twist_sine_0 * select(1.0f, -1.0f, _S709);
+    var _S732 : f32 = _S729.x;
+    var _S733 : f32 = _S731 * _S732 * _S715;
+    var _S734 : f32 = _S729.y;
+    var _S735 : f32 = - _S731 * _S734;
+    var _S736 : f32 = families_0[_S711].twist_cosine_0 * _S715 - _S730 * _S714 * _S733;
+    var _S737 : f32 = families_0[_S711].height_scale_0 * (families_0[_S711].twist_cosine_0 * _S730 * _S714 * _S715 + _S733);
+    var _S738 : f32 = families_0[_S711].height_scale_0 * _S732;
+    var _S739 : f32 = - families_0[_S711].height_scale_0 * _S714 * _S715 * _S734;
+    point_5.normal_1 = normalize(vec3<f32>(select(_S739, _S738, point_5.is_warp_0), select(_S738, _S739, point_5.is_warp_0), _S715 * _S734));
+    point_5.tangent_0 = normalize(vec3<f32>(select(- _S736, _S735, point_5.is_warp_0), select(_S735, _S736, point_5.is_warp_0), _S737));
+    var _S740 : f32 = _S712 * angle_of_0(_S729);
+    var _S741 : f32 = select(- _S705 - _S727 * _S716, _S706 + _S727 * _S717, point_5.is_warp_0);
+    point_5.fibre_across_0 = _S740 * families_0[_S711].twist_cosine_0 + _S741 * _S731;
+    point_5.fibre_along_0 = _S741 * families_0[_S711].twist_cosine_0 - _S740 * _S731;
+    var _S742 : f32 = 0.00999999977648258f * _S712;
+    var _S743 : f32 = - _S742;
+    var _S744 : bool = _S727 < _S743;
+    var _S745 : f32 = select(_S742, _S743, _S718 < 0.0f);
+    var _S746 : f32 = max(_S727, 0.0f);
+    point_5.x_8 = point_5.x_8 + select(_S746 * _S716, select(0.0f, _S745, point_5.is_warp_0), _S744);
+    point_5.y_2 = point_5.y_2 + select(_S746 * _S717, select(_S745, 0.0f, point_5.is_warp_0), _S744);
+    point_5.height_2 = select(_S707 + _S727 * _S719, _S707, _S744);
     return point_5;
 }
 
-fn hairs_over_0( _S743 : u32,  _S744 : SurfacePoint_0,  _S745 : bool,  _S746 : f32) -> Hairs_0
+fn hairs_over_0( _S747 : u32,  _S748 : SurfacePoint_0,  _S749 : bool,  _S750 : f32) -> Hairs_0
 {
     var hairs_2 : Hairs_0;
-    hairs_2.place_1 = vec2<f32>(_S744.x_8, _S744.y_2);
-    hairs_2.below_1 = fabrics_0[_S743].height_high_0 - _S744.height_2;
-    hairs_2.back_7 = _S745;
-    hairs_2.size_3 = _S746;
+    hairs_2.place_1 = vec2<f32>(_S748.x_8, _S748.y_2);
+    hairs_2.below_1 = fabrics_0[_S747].height_high_0 - _S748.height_2;
+    hairs_2.back_7 = _S749;
+    hairs_2.size_3 = _S750;
     return hairs_2;
 }
 
-fn has_hairs_0( _S747 : u32) -> bool
+fn has_hairs_0( _S751 : u32) -> bool
 {
-    return (((families_0[fabrics_0[_S747].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S747].weft_0].hairiness_0) > 0.0f)));
+    return (((families_0[fabrics_0[_S751].warp_0].hairiness_0) > 0.0f) | (((families_0[fabrics_0[_S751].weft_0].hairiness_0) > 0.0f)));
 }
 
-fn hair_towards_0( _S748 : u32,  _S749 : Hairs_0,  _S750 : vec3<f32>,  _S751 : f32) -> Hair_0
+fn hair_towards_0( _S752 : u32,  _S753 : Hairs_0,  _S754 : vec3<f32>,  _S755 : f32) -> Hair_0
 {
-    var _S752 : f32 = fabrics_0[_S748].fibre_size_0;
-    var _S753 : f32 = 17.0f * fabrics_0[_S748].fibre_size_0;
-    var _S754 : f32 = fade_0(_S751, _S753);
-    var _S755 : vec2<f32> = _S750.xy / vec2<f32>(max(_S750.z, 0.3333333432674408f));
-    var _S756 : u32 = hash_key_0(select(u32(0), u32(1), _S749.back_7), ((fabrics_0[_S748].seed_0) ^ (u32(1013904242))));
-    var _S757 : f32 = fabrics_0[_S748].fibre_size_0 / max(_S751, 0.07000000029802322f * fabrics_0[_S748].fibre_size_0);
-    const _S758 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
+    var _S756 : f32 = fabrics_0[_S752].fibre_size_0;
+    var _S757 : f32 = 17.0f * fabrics_0[_S752].fibre_size_0;
+    var _S758 : f32 = fade_0(_S755, _S757);
+    var _S759 : vec2<f32> = _S754.xy / vec2<f32>(max(_S754.z, 0.3333333432674408f));
+    var _S760 : u32 = hash_key_0(select(u32(0), u32(1), _S753.back_7), ((fabrics_0[_S752].seed_0) ^ (u32(1013904242))));
+    var _S761 : f32 = fabrics_0[_S752].fibre_size_0 / max(_S755, 0.07000000029802322f * fabrics_0[_S752].fibre_size_0);
+    const _S762 : vec2<f32> = vec2<f32>(0.0f, 1.0f);
     var cover_3 : f32 = 0.0f;
-    var hair_across_0 : vec2<f32> = _S758;
+    var hair_across_0 : vec2<f32> = _S762;
     var hair_away_0 : f32 = 0.0f;
     var is_warp_7 : bool = false;
     var number_7 : u32 = u32(0);
     for(;;)
     {
-        if(((_S754 > 0.0f) & ((number_7 < u32(18)))))
+        if(((_S758 > 0.0f) & ((number_7 < u32(18)))))
         {
         }
         else
         {
             break;
         }
-        var _S759 : u32 = number_7 / u32(9);
-        var _S760 : u32 = number_7 / u32(3) - u32(3) * _S759;
-        var _S761 : vec2<f32> = (vec2<f32>(((f32(_S759) * 6.0f + 2.0f) * _S752 + _S749.below_1)) * _S755 + _S749.place_1) / vec2<f32>(_S753);
-        var _S762 : vec2<f32> = floor(_S761) + vec2<f32>(f32(number_7 - u32(3) * _S760 - u32(9) * _S759), f32(_S760)) - vec2<f32>(1.0f);
-        var _S763 : u32 = hash_bits_0(_S756 + _S759, u32(i32(_S762.x)) * u32(65536) + u32(i32(_S762.y)));
-        var _S764 : u32 = hash_bits_0(_S756, _S763);
-        var _S765 : vec2<f32> = _S761 - _S762 - vec2<f32>(share_of_0(_S763), share_of_0((_S763 >> (u32(10)))));
-        var _S766 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S763 >> (u32(20)))));
-        var _S767 : f32 = mix(5.0f, 16.0f, share_of_0((_S764 >> (u32(10))))) / 17.0f;
-        var _S768 : f32 = _S765.x;
-        var _S769 : f32 = _S766.y;
-        var _S770 : f32 = _S765.y;
-        var _S771 : f32 = _S766.x;
-        var _S772 : f32 = (_S768 * _S769 + _S770 * _S771) / _S767;
-        var _S773 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S764 >> (u32(20)))) - 1.0f);
-        var _S774 : f32 = 0.5f * (2.0f * share_of_0((_S763 ^ (_S764))) - 1.0f);
-        var _S775 : f32 = _S772 * (3.0f * _S774 * _S772 + 2.0f * _S773);
-        var _S776 : f32 = rsqrt_0(_S775 * _S775 + 1.0f);
-        var _S777 : f32 = (_S770 * _S769 - _S768 * _S771 - _S767 * _S772 * _S772 * (_S774 * _S772 + _S773)) * _S776 * 17.0f;
-        var _S778 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S772)), 0.0f) * _S757;
-        var _S779 : f32 = clamp(_S778 + 0.5f - abs(_S777) * _S757, 0.0f, min(2.0f * _S778, 1.0f));
-        var _S780 : bool = ((((_S764 >> (u32(30)))) & (u32(1)))) == u32(1);
-        var _S781 : bool = (((((share_of_0(_S764)) < (families_0[select(fabrics_0[_S748].weft_0, fabrics_0[_S748].warp_0, _S780)].hairiness_0)) & (((abs(_S772)) < 1.0f)))) & ((_S779 > cover_3)));
-        var _S782 : vec2<f32> = vec2<f32>(- _S771 - _S775 * _S769, _S769 - _S775 * _S771) * vec2<f32>(_S776);
-        var _S783 : f32 = select(cover_3, _S779, _S781);
-        var _S784 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S782.x, _S781), select(hair_across_0.y, _S782.y, _S781));
-        var _S785 : f32 = select(hair_away_0, _S777, _S781);
-        var _S786 : bool = select(is_warp_7, _S780, _S781);
-        var _S787 : u32 = number_7 + u32(1);
-        cover_3 = _S783;
-        hair_across_0 = _S784;
-        hair_away_0 = _S785;
-        is_warp_7 = _S786;
-        number_7 = _S787;
+        var _S763 : u32 = number_7 / u32(9);
+        var _S764 : u32 = number_7 / u32(3) - u32(3) * _S763;
+        var _S765 : vec2<f32> = (vec2<f32>(((f32(_S763) * 6.0f + 2.0f) * _S756 + _S753.below_1)) * _S759 + _S753.place_1) / vec2<f32>(_S757);
+        var _S766 : vec2<f32> = floor(_S765) + vec2<f32>(f32(number_7 - u32(3) * _S764 - u32(9) * _S763), f32(_S764)) - vec2<f32>(1.0f);
+        var _S767 : u32 = hash_bits_0(_S760 + _S763, u32(i32(_S766.x)) * u32(65536) + u32(i32(_S766.y)));
+        var _S768 : u32 = hash_bits_0(_S760, _S767);
+        var _S769 : vec2<f32> = _S765 - _S766 - vec2<f32>(share_of_0(_S767), share_of_0((_S767 >> (u32(10)))));
+        var _S770 : vec2<f32> = sine_cosine_0(3.14159274101257324f * share_of_0((_S767 >> (u32(20)))));
+        var _S771 : f32 = mix(5.0f, 16.0f, share_of_0((_S768 >> (u32(10))))) / 17.0f;
+        var _S772 : f32 = _S769.x;
+        var _S773 : f32 = _S770.y;
+        var _S774 : f32 = _S769.y;
+        var _S775 : f32 = _S770.x;
+        var _S776 : f32 = (_S772 * _S773 + _S774 * _S775) / _S771;
+        var _S777 : f32 = 0.69999998807907104f * (2.0f * share_of_0((_S768 >> (u32(20)))) - 1.0f);
+        var _S778 : f32 = 0.5f * (2.0f * share_of_0((_S767 ^ (_S768))) - 1.0f);
+        var _S779 : f32 = _S776 * (3.0f * _S778 * _S776 + 2.0f * _S777);
+        var _S780 : f32 = rsqrt_0(_S779 * _S779 + 1.0f);
+        var _S781 : f32 = (_S774 * _S773 - _S772 * _S775 - _S771 * _S776 * _S776 * (_S778 * _S776 + _S777)) * _S780 * 17.0f;
+        var _S782 : f32 = 0.2800000011920929f * max(1.0f - square_1(square_1(_S776)), 0.0f) * _S761;
+        var _S783 : f32 = clamp(_S782 + 0.5f - abs(_S781) * _S761, 0.0f, min(2.0f * _S782, 1.0f));
+        var _S784 : bool = ((((_S768 >> (u32(30)))) & (u32(1)))) == u32(1);
+        var _S785 : bool = (((((share_of_0(_S768)) < (families_0[select(fabrics_0[_S752].weft_0, fabrics_0[_S752].warp_0, _S784)].hairiness_0)) & (((abs(_S776)) < 1.0f)))) & ((_S783 > cover_3)));
+        var _S786 : vec2<f32> = vec2<f32>(- _S775 - _S779 * _S773, _S773 - _S779 * _S775) * vec2<f32>(_S780);
+        var _S787 : f32 = select(cover_3, _S783, _S785);
+        var _S788 : vec2<f32> = vec2<f32>(select(hair_across_0.x, _S786.x, _S785), select(hair_across_0.y, _S786.y, _S785));
+        var _S789 : f32 = select(hair_away_0, _S781, _S785);
+        var _S790 : bool = select(is_warp_7, _S784, _S785);
+        var _S791 : u32 = number_7 + u32(1);
+        cover_3 = _S787;
+        hair_across_0 = _S788;
+        hair_away_0 = _S789;
+        is_warp_7 = _S790;
+        number_7 = _S791;
     }
-    var _S788 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
+    var _S792 : f32 = clamp(hair_away_0 * 2.85714292526245117f, -0.80000001192092896f, 0.80000001192092896f);
     var hair_1 : Hair_0;
-    hair_1.cover_1 = _S754 * cover_3;
-    hair_1.normal_5 = vec3<f32>(vec2<f32>(_S788) * hair_across_0, sqrt(1.0f - _S788 * _S788));
+    hair_1.cover_1 = _S758 * cover_3;
+    hair_1.normal_5 = vec3<f32>(vec2<f32>(_S792) * hair_across_0, sqrt(1.0f - _S792 * _S792));
     hair_1.tangent_4 = vec3<f32>(hair_across_0.y, - hair_across_0.x, 0.0f);
     hair_1.is_warp_5 = is_warp_7;
-    hair_1.shade_0 = _S754 * 0.03255363181233406f * (families_0[fabrics_0[_S748].warp_0].hairiness_0 + families_0[fabrics_0[_S748].weft_0].hairiness_0);
+    hair_1.shade_0 = _S758 * 0.03255363181233406f * (families_0[fabrics_0[_S752].warp_0].hairiness_0 + families_0[fabrics_0[_S752].weft_0].hairiness_0);
     return hair_1;
 }
 
-fn thread_of_family_0( _S789 : u32,  _S790 : SurfacePoint_0) -> i32
+fn thread_of_family_0( _S793 : u32,  _S794 : SurfacePoint_0) -> i32
 {
-    var _S791 : u32 = select(fabrics_0[_S789].weft_0, fabrics_0[_S789].warp_0, _S790.is_warp_0);
-    return i32(floor((select(_S790.y_2, _S790.x_8, _S790.is_warp_0) - _S790.across_1) / families_0[_S791].period_0)) * i32(families_0[_S791].count_0) + i32(select(_S790.weft_thread_0, _S790.warp_thread_0, _S790.is_warp_0));
+    var _S795 : u32 = select(fabrics_0[_S793].weft_0, fabrics_0[_S793].warp_0, _S794.is_warp_0);
+    return i32(floor((select(_S794.y_2, _S794.x_8, _S794.is_warp_0) - _S794.across_1) / families_0[_S795].period_0)) * i32(families_0[_S795].count_0) + i32(select(_S794.weft_thread_0, _S794.warp_thread_0, _S794.is_warp_0));
 }
 
-fn thread_number_0( _S792 : u32,  _S793 : SurfacePoint_0) -> u32
+fn thread_number_0( _S796 : u32,  _S797 : SurfacePoint_0) -> u32
 {
-    return u32(thread_of_family_0(_S792, _S793)) * u32(2) + select(u32(0), u32(1), _S793.is_warp_0);
+    return u32(thread_of_family_0(_S796, _S797)) * u32(2) + select(u32(0), u32(1), _S797.is_warp_0);
 }
 
 struct FibreNoise_0
@@ -3374,227 +3391,227 @@ struct FibreNoise_0
      slope_2 : f32,
 };
 
-fn fibre_noise_at_0( _S794 : u32,  _S795 : u32,  _S796 : SurfacePoint_0,  _S797 : u32,  _S798 : f32) -> FibreNoise_0
+fn fibre_noise_at_0( _S798 : u32,  _S799 : u32,  _S800 : SurfacePoint_0,  _S801 : u32,  _S802 : f32) -> FibreNoise_0
 {
-    var _S799 : f32 = 5.0f * fabrics_0[_S794].fibre_size_0;
-    var _S800 : vec2<f32> = wave_noise_0(hash_key_0(_S797, ((fabrics_0[_S794].seed_0) ^ (u32(458671337)))), _S796.fibre_along_0 / (25.0f * fabrics_0[_S794].fibre_size_0));
-    var _S801 : f32 = _S796.fibre_across_0 + families_0[_S795].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S794].fibre_size_0 * _S800.x;
-    var _S802 : vec3<f32> = fibre_cell_0(_S801, _S796.fibre_along_0, fabrics_0[_S794].fibre_size_0);
-    var _S803 : vec3<f32> = fibre_cell_0(_S801, _S796.fibre_along_0, _S799);
+    var _S803 : f32 = 5.0f * fabrics_0[_S798].fibre_size_0;
+    var _S804 : vec2<f32> = wave_noise_0(hash_key_0(_S801, ((fabrics_0[_S798].seed_0) ^ (u32(458671337)))), _S800.fibre_along_0 / (25.0f * fabrics_0[_S798].fibre_size_0));
+    var _S805 : f32 = _S800.fibre_across_0 + families_0[_S799].fibre_tilt_0 * 0.5f * 25.0f * fabrics_0[_S798].fibre_size_0 * _S804.x;
+    var _S806 : vec3<f32> = fibre_cell_0(_S805, _S800.fibre_along_0, fabrics_0[_S798].fibre_size_0);
+    var _S807 : vec3<f32> = fibre_cell_0(_S805, _S800.fibre_along_0, _S803);
     var noise_0 : FibreNoise_0;
-    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S797, ((fabrics_0[_S794].seed_0) ^ (u32(1757159915)))), _S803);
-    noise_0.bundle_offset_0 = _S803.z;
-    noise_0.bundle_weight_0 = fade_0(_S798, _S799);
-    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S797, ((fabrics_0[_S794].seed_0) ^ (u32(48610963)))), _S802);
-    noise_0.fibre_weight_0 = fade_0(_S798, fabrics_0[_S794].fibre_size_0);
-    noise_0.offset_2 = _S802.z;
-    noise_0.slope_2 = 0.5f * _S800.y;
+    noise_0.bundle_0 = cell_noise_0(hash_key_0(_S801, ((fabrics_0[_S798].seed_0) ^ (u32(1757159915)))), _S807);
+    noise_0.bundle_offset_0 = _S807.z;
+    noise_0.bundle_weight_0 = fade_0(_S802, _S803);
+    noise_0.fibre_0 = cell_noise_0(hash_key_0(_S801, ((fabrics_0[_S798].seed_0) ^ (u32(48610963)))), _S806);
+    noise_0.fibre_weight_0 = fade_0(_S802, fabrics_0[_S798].fibre_size_0);
+    noise_0.offset_2 = _S806.z;
+    noise_0.slope_2 = 0.5f * _S804.y;
     return noise_0;
 }
 
-fn turned_frame_0( _S804 : u32,  _S805 : u32,  _S806 : SurfacePoint_0,  _S807 : bool,  _S808 : u32,  _S809 : f32) -> YarnFrame_0
+fn turned_frame_0( _S808 : u32,  _S809 : u32,  _S810 : SurfacePoint_0,  _S811 : bool,  _S812 : u32,  _S813 : f32) -> YarnFrame_0
 {
     var frame_2 : YarnFrame_0;
-    frame_2.normal_7 = _S806.normal_1;
-    frame_2.tangent_6 = _S806.tangent_0;
+    frame_2.normal_7 = _S810.normal_1;
+    frame_2.tangent_6 = _S810.tangent_0;
     frame_2.loss_0 = 0.0f;
     frame_2.shade_2 = 0.0f;
-    if((families_0[_S805].has_plies_0) > 0.0f)
+    if((families_0[_S809].has_plies_0) > 0.0f)
     {
-        var _S810 : f32 = fade_0(_S809, 1.0f / families_0[_S805].plies_per_mm_0);
-        var _S811 : f32 = _S810 * 0.62000000476837158f * ply_offset_0(_S805, _S806, _S807);
-        var _S812 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
-        var _S813 : vec3<f32> = vec3<f32>(families_0[_S805].ply_cosine_0);
-        var _S814 : vec3<f32> = vec3<f32>(select(families_0[_S805].ply_sine_0, - families_0[_S805].ply_sine_0, _S807));
-        var _S815 : vec3<f32> = _S813 * _S812 + _S814 * frame_2.tangent_6;
-        var _S816 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S811 * _S811));
-        var _S817 : vec3<f32> = vec3<f32>(_S811);
-        frame_2.tangent_6 = _S813 * (_S813 * frame_2.tangent_6 - _S814 * _S812) + _S814 * (_S816 * _S815 - _S817 * frame_2.normal_7);
-        frame_2.normal_7 = _S816 * frame_2.normal_7 + _S817 * _S815;
-        frame_2.loss_0 = _S810 * _S810 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
+        var _S814 : f32 = fade_0(_S813, 1.0f / families_0[_S809].plies_per_mm_0);
+        var _S815 : f32 = _S814 * 0.62000000476837158f * ply_offset_0(_S809, _S810, _S811);
+        var _S816 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
+        var _S817 : vec3<f32> = vec3<f32>(families_0[_S809].ply_cosine_0);
+        var _S818 : vec3<f32> = vec3<f32>(select(families_0[_S809].ply_sine_0, - families_0[_S809].ply_sine_0, _S811));
+        var _S819 : vec3<f32> = _S817 * _S816 + _S818 * frame_2.tangent_6;
+        var _S820 : vec3<f32> = vec3<f32>(sqrt(1.0f - _S815 * _S815));
+        var _S821 : vec3<f32> = vec3<f32>(_S815);
+        frame_2.tangent_6 = _S817 * (_S817 * frame_2.tangent_6 - _S818 * _S816) + _S818 * (_S820 * _S819 - _S821 * frame_2.normal_7);
+        frame_2.normal_7 = _S820 * frame_2.normal_7 + _S821 * _S819;
+        frame_2.loss_0 = _S814 * _S814 * 0.62000000476837158f * 0.62000000476837158f / 3.0f;
     }
-    var _S818 : f32 = families_0[_S805].fibre_tilt_0;
-    if((families_0[_S805].fibre_tilt_0) > 0.0f)
+    var _S822 : f32 = families_0[_S809].fibre_tilt_0;
+    if((families_0[_S809].fibre_tilt_0) > 0.0f)
     {
-        var _S819 : FibreNoise_0 = fibre_noise_at_0(_S804, _S805, _S806, _S808, _S809);
-        var _S820 : f32 = 1.09858846664428711f * _S818 * (_S819.bundle_weight_0 * _S819.bundle_0.x + _S819.fibre_weight_0 * (_S819.fibre_0.x + _S819.offset_2));
-        var _S821 : f32 = _S818 * (1.42099642753601074f * (_S819.bundle_weight_0 * _S819.bundle_0.y + _S819.fibre_weight_0 * _S819.fibre_0.y) - _S819.bundle_weight_0 * _S819.slope_2);
-        var _S822 : f32 = square_1(_S819.fibre_weight_0);
-        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S818 * _S818 * ((0.24761904776096344f * (square_1(_S819.bundle_weight_0) + _S822) + _S822 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
-        var _S823 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
-        var _S824 : vec2<f32> = sine_cosine_0(_S820);
-        var _S825 : vec2<f32> = sine_cosine_0(_S821);
-        var _S826 : vec3<f32> = vec3<f32>(_S824.y);
-        var _S827 : vec3<f32> = vec3<f32>(_S824.x);
-        var _S828 : vec3<f32> = _S826 * _S823 - _S827 * frame_2.normal_7;
-        frame_2.normal_7 = _S826 * frame_2.normal_7 + _S827 * _S823;
-        frame_2.tangent_6 = vec3<f32>(_S825.y) * frame_2.tangent_6 + vec3<f32>(_S825.x) * _S828;
+        var _S823 : FibreNoise_0 = fibre_noise_at_0(_S808, _S809, _S810, _S812, _S813);
+        var _S824 : f32 = 1.09858846664428711f * _S822 * (_S823.bundle_weight_0 * _S823.bundle_0.x + _S823.fibre_weight_0 * (_S823.fibre_0.x + _S823.offset_2));
+        var _S825 : f32 = _S822 * (1.42099642753601074f * (_S823.bundle_weight_0 * _S823.bundle_0.y + _S823.fibre_weight_0 * _S823.fibre_0.y) - _S823.bundle_weight_0 * _S823.slope_2);
+        var _S826 : f32 = square_1(_S823.fibre_weight_0);
+        frame_2.loss_0 = frame_2.loss_0 + 0.5f * _S822 * _S822 * ((0.24761904776096344f * (square_1(_S823.bundle_weight_0) + _S826) + _S826 / 3.0f) * 1.09858846664428711f * 1.09858846664428711f);
+        var _S827 : vec3<f32> = cross(frame_2.tangent_6, frame_2.normal_7);
+        var _S828 : vec2<f32> = sine_cosine_0(_S824);
+        var _S829 : vec2<f32> = sine_cosine_0(_S825);
+        var _S830 : vec3<f32> = vec3<f32>(_S828.y);
+        var _S831 : vec3<f32> = vec3<f32>(_S828.x);
+        var _S832 : vec3<f32> = _S830 * _S827 - _S831 * frame_2.normal_7;
+        frame_2.normal_7 = _S830 * frame_2.normal_7 + _S831 * _S827;
+        frame_2.tangent_6 = vec3<f32>(_S829.y) * frame_2.tangent_6 + vec3<f32>(_S829.x) * _S832;
     }
     return frame_2;
 }
 
-fn uncoloured_point_0( _S829 : u32,  _S830 : SurfacePoint_0,  _S831 : vec3<f32>,  _S832 : bool,  _S833 : bool,  _S834 : f32) -> YarnPoint_0
+fn uncoloured_point_0( _S833 : u32,  _S834 : SurfacePoint_0,  _S835 : vec3<f32>,  _S836 : bool,  _S837 : bool,  _S838 : f32) -> YarnPoint_0
 {
-    var _S835 : u32 = fabrics_0[_S829].warp_0;
-    var _S836 : u32 = fabrics_0[_S829].weft_0;
-    var _S837 : u32 = select(fabrics_0[_S829].weft_0, fabrics_0[_S829].warp_0, _S830.is_warp_0);
-    var _S838 : bool = (((fabrics_0[_S829].has_detail_0) != u32(0)) & ((_S834 >= 0.0f)));
-    var _S839 : vec3<f32> = vec3<f32>(0.0f);
-    var _S840 : vec2<f32> = vec2<f32>(0.0f);
-    var point_6 : YarnPoint_0 = YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S839, _S839, _S839, 0.0f, 0.0f, Albedos_x24init_0(_S839, _S839, _S839, _S839), Hairs_x24init_0(_S840, 0.0f, false, 0.0f), 0.0f, _S840, 0.0f);
-    point_6.hairs_0 = hairs_over_0(_S829, _S830, _S832, _S834);
+    var _S839 : u32 = fabrics_0[_S833].warp_0;
+    var _S840 : u32 = fabrics_0[_S833].weft_0;
+    var _S841 : u32 = select(fabrics_0[_S833].weft_0, fabrics_0[_S833].warp_0, _S834.is_warp_0);
+    var _S842 : bool = (((fabrics_0[_S833].has_detail_0) != u32(0)) & ((_S838 >= 0.0f)));
+    var _S843 : vec3<f32> = vec3<f32>(0.0f);
+    var _S844 : vec2<f32> = vec2<f32>(0.0f);
+    var point_6 : YarnPoint_0 = YarnPoint_x24init_0(false, false, false, 0.0f, 0.0f, 0.0f, _S843, _S843, _S843, 0.0f, 0.0f, Albedos_x24init_0(_S843, _S843, _S843, _S843), Hairs_x24init_0(_S844, 0.0f, false, 0.0f), 0.0f, _S844, 0.0f);
+    point_6.hairs_0 = hairs_over_0(_S833, _S834, _S836, _S838);
     point_6.hair_cover_0 = 1.0f;
-    var _S841 : Hair_0 = Hair_x24init_0(0.0f, _S839, _S839, false, 0.0f);
-    point_6.is_warp_3 = _S830.is_warp_0;
-    var _S842 : bool = (_S838 & ((has_hairs_0(_S829))));
+    var _S845 : Hair_0 = Hair_x24init_0(0.0f, _S843, _S843, false, 0.0f);
+    point_6.is_warp_3 = _S834.is_warp_0;
+    var _S846 : bool = (_S842 & ((has_hairs_0(_S833))));
     var hair_2 : Hair_0;
-    if(_S842)
+    if(_S846)
     {
-        var _S843 : Hair_0 = hair_towards_0(_S829, point_6.hairs_0, _S831, _S834);
-        point_6.hair_cover_0 = _S843.cover_1;
-        point_6.is_warp_3 = select(_S830.is_warp_0, _S843.is_warp_5, (_S843.cover_1) > 0.5f);
-        hair_2 = _S843;
+        var _S847 : Hair_0 = hair_towards_0(_S833, point_6.hairs_0, _S835, _S838);
+        point_6.hair_cover_0 = _S847.cover_1;
+        point_6.is_warp_3 = select(_S834.is_warp_0, _S847.is_warp_5, (_S847.cover_1) > 0.5f);
+        hair_2 = _S847;
     }
     else
     {
-        hair_2 = _S841;
+        hair_2 = _S845;
     }
-    var _S844 : u32 = select(_S836, _S835, point_6.is_warp_3);
-    point_6.back_9 = _S832;
-    point_6.hole_5 = _S833;
-    point_6.x_14 = _S830.x_8;
-    point_6.y_7 = _S830.y_2;
-    point_6.place_3 = vec2<f32>(_S830.x_8, _S830.y_2);
-    point_6.plane_6 = _S830.plane_0;
-    point_6.height_7 = _S830.height_2 + hair_2.cover_1 * point_6.hairs_0.below_1;
-    point_6.normal_3 = _S830.normal_1;
-    point_6.tangent_2 = _S830.tangent_0;
-    point_6.surface_normal_0 = normalize(mix(_S830.normal_1, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
+    var _S848 : u32 = select(_S840, _S839, point_6.is_warp_3);
+    point_6.back_9 = _S836;
+    point_6.hole_5 = _S837;
+    point_6.x_14 = _S834.x_8;
+    point_6.y_7 = _S834.y_2;
+    point_6.place_3 = vec2<f32>(_S834.x_8, _S834.y_2);
+    point_6.plane_6 = _S834.plane_0;
+    point_6.height_7 = _S834.height_2 + hair_2.cover_1 * point_6.hairs_0.below_1;
+    point_6.normal_3 = _S834.normal_1;
+    point_6.tangent_2 = _S834.tangent_0;
+    point_6.surface_normal_0 = normalize(mix(_S834.normal_1, vec3<f32>(0.0f, 0.0f, 1.0f), vec3<f32>(hair_2.cover_1)));
     point_6.diffuse_gain_0 = 1.0f;
-    if(_S838)
+    if(_S842)
     {
-        var _S845 : YarnFrame_0 = turned_frame_0(_S829, _S837, _S830, _S832, thread_number_0(_S829, _S830), _S834);
+        var _S849 : YarnFrame_0 = turned_frame_0(_S833, _S841, _S834, _S836, thread_number_0(_S833, _S834), _S838);
         var frame_3 : YarnFrame_0;
-        if(_S842)
+        if(_S846)
         {
-            frame_3 = under_hair_0(_S845, hair_2);
+            frame_3 = under_hair_0(_S849, hair_2);
         }
         else
         {
-            frame_3 = _S845;
+            frame_3 = _S849;
         }
         point_6.normal_3 = frame_3.normal_7;
         point_6.tangent_2 = frame_3.tangent_6;
-        point_6.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S829].diffuse_blend_0);
+        point_6.diffuse_gain_0 = diffuse_gain_2(frame_3, fabrics_0[_S833].diffuse_blend_0);
     }
-    point_6.roughness_1 = families_0[_S844].roughness_0;
+    point_6.roughness_1 = families_0[_S848].roughness_0;
     return point_6;
 }
 
-fn surface_at_0( _S846 : u32,  _S847 : f32,  _S848 : f32,  _S849 : bool) -> SurfacePoint_0
+fn surface_at_0( _S850 : u32,  _S851 : f32,  _S852 : f32,  _S853 : bool) -> SurfacePoint_0
 {
-    return surface_of_0(_S846, sample_at_0(_S846, _S847, _S848, _S849), _S847, _S848, _S849);
+    return surface_of_0(_S850, sample_at_0(_S850, _S851, _S852, _S853), _S851, _S852, _S853);
 }
 
-fn unoccluded_0( _S850 : u32,  _S851 : SearchQuality_0,  _S852 : f32,  _S853 : f32,  _S854 : f32,  _S855 : vec3<f32>,  _S856 : bool) -> bool
+fn unoccluded_0( _S854 : u32,  _S855 : SearchQuality_0,  _S856 : f32,  _S857 : f32,  _S858 : f32,  _S859 : vec3<f32>,  _S860 : bool) -> bool
 {
-    if((_S855.z) <= 0.0f)
+    if((_S859.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S850, _S851, vec3<f32>(_S852, _S853, _S854 + fabrics_0[_S850].lift_0), _S855, _S856, max_height_along_0(_S850, _S852, _S853, _S854, _S855, _S856));
+    return is_free_0(_S854, _S855, vec3<f32>(_S856, _S857, _S858 + fabrics_0[_S854].lift_0), _S859, _S860, max_height_along_0(_S854, _S856, _S857, _S858, _S859, _S860));
 }
 
-fn is_lit_0( _S857 : u32,  _S858 : SearchQuality_0,  _S859 : YarnPoint_0,  _S860 : vec3<f32>) -> bool
+fn is_lit_0( _S861 : u32,  _S862 : SearchQuality_0,  _S863 : YarnPoint_0,  _S864 : vec3<f32>) -> bool
 {
-    if(_S859.hole_5)
+    if(_S863.hole_5)
     {
         return true;
     }
-    var _S861 : vec3<f32> = to_face_frame_0(_S860, _S859.back_9);
-    var _S862 : f32 = _S861.z;
-    var _S863 : bool = _S862 < 0.0f;
+    var _S865 : vec3<f32> = to_face_frame_0(_S864, _S863.back_9);
+    var _S866 : f32 = _S865.z;
+    var _S867 : bool = _S866 < 0.0f;
     var normal_12 : vec3<f32>;
     var height_13 : f32;
-    if(_S863)
+    if(_S867)
     {
-        var _S864 : SurfacePoint_0 = surface_at_0(_S857, _S859.x_14, _S859.y_7, !_S859.back_9);
-        normal_12 = _S864.normal_1;
-        height_13 = _S864.height_2;
+        var _S868 : SurfacePoint_0 = surface_at_0(_S861, _S863.x_14, _S863.y_7, !_S863.back_9);
+        normal_12 = _S868.normal_1;
+        height_13 = _S868.height_2;
     }
     else
     {
-        normal_12 = _S859.surface_normal_0;
-        height_13 = _S859.height_7;
+        normal_12 = _S863.surface_normal_0;
+        height_13 = _S863.height_7;
     }
-    var _S865 : vec3<f32> = vec3<f32>(_S861.xy, abs(_S862));
-    if((dot(normal_12, _S865)) <= 0.0f)
+    var _S869 : vec3<f32> = vec3<f32>(_S865.xy, abs(_S866));
+    if((dot(normal_12, _S869)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S857, _S858, _S859.x_14, _S859.y_7, height_13, _S865, (_S859.back_9) != _S863);
+    return unoccluded_0(_S861, _S862, _S863.x_14, _S863.y_7, height_13, _S869, (_S863.back_9) != _S867);
 }
 
-fn hairs_lit_0( _S866 : u32,  _S867 : Hairs_0,  _S868 : vec3<f32>) -> f32
+fn hairs_lit_0( _S870 : u32,  _S871 : Hairs_0,  _S872 : vec3<f32>) -> f32
 {
-    return 1.0f - 0.5f * hair_towards_0(_S866, _S867, _S868, _S867.size_3 + fabrics_0[_S866].fibre_size_0).cover_1;
+    return 1.0f - 0.5f * hair_towards_0(_S870, _S871, _S872, _S871.size_3 + fabrics_0[_S870].fibre_size_0).cover_1;
 }
 
-fn under_hairs_0( _S869 : u32,  _S870 : YarnPoint_0,  _S871 : vec3<f32>) -> f32
+fn under_hairs_0( _S873 : u32,  _S874 : YarnPoint_0,  _S875 : vec3<f32>) -> f32
 {
-    if((((_S870.hair_cover_0) >= 1.0f) | (((_S871.z) <= 0.0f))))
+    if((((_S874.hair_cover_0) >= 1.0f) | (((_S875.z) <= 0.0f))))
     {
         return 1.0f;
     }
-    return mix(hairs_lit_0(_S869, _S870.hairs_0, _S871), 1.0f, _S870.hair_cover_0);
+    return mix(hairs_lit_0(_S873, _S874.hairs_0, _S875), 1.0f, _S874.hair_cover_0);
 }
 
-fn components_of_point_0( _S872 : u32,  _S873 : SearchQuality_0,  _S874 : YarnPoint_0,  _S875 : vec3<f32>,  _S876 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S876 : u32,  _S877 : SearchQuality_0,  _S878 : YarnPoint_0,  _S879 : vec3<f32>,  _S880 : vec3<f32>) -> Components_0
 {
     var result_6 : Components_0 = no_components_0();
-    result_6.hole_2 = select(0.0f, 1.0f, _S874.hole_5);
-    var _S877 : bool;
-    if(_S874.hole_5)
+    result_6.hole_2 = select(0.0f, 1.0f, _S878.hole_5);
+    var _S881 : bool;
+    if(_S878.hole_5)
     {
-        _S877 = true;
+        _S881 = true;
     }
     else
     {
-        _S877 = !is_lit_0(_S872, _S873, _S874, _S875);
+        _S881 = !is_lit_0(_S876, _S877, _S878, _S879);
     }
-    if(_S877)
+    if(_S881)
     {
         return result_6;
     }
-    var _S878 : vec3<f32> = to_face_frame_0(_S875, _S874.back_9);
-    var _S879 : vec3<f32> = to_face_frame_0(_S876, _S874.back_9);
-    var _S880 : bool = (_S878.z) < 0.0f;
-    var _S881 : f32 = under_hairs_0(_S872, _S874, _S878);
-    var _S882 : f32 = _S881 * _S874.diffuse_gain_0 * diffuse_reflection_0(select_vector_1(_S880, (vec3<f32>(0) - _S878), _S878), _S874.normal_3, fabrics_0[_S872].diffuse_blend_0);
-    var _S883 : f32;
-    if(_S880)
+    var _S882 : vec3<f32> = to_face_frame_0(_S879, _S878.back_9);
+    var _S883 : vec3<f32> = to_face_frame_0(_S880, _S878.back_9);
+    var _S884 : bool = (_S882.z) < 0.0f;
+    var _S885 : f32 = under_hairs_0(_S876, _S878, _S882);
+    var _S886 : f32 = _S885 * _S878.diffuse_gain_0 * diffuse_reflection_0(select_vector_1(_S884, (vec3<f32>(0) - _S882), _S882), _S878.normal_3, fabrics_0[_S876].diffuse_blend_0);
+    var _S887 : f32;
+    if(_S884)
     {
-        _S883 = transmission_1(_S878, _S879, _S874.normal_3, _S874.tangent_2, _S874.roughness_1, fabrics_0[_S872].optical_depth_0);
+        _S887 = transmission_1(_S882, _S883, _S878.normal_3, _S878.tangent_2, _S878.roughness_1, fabrics_0[_S876].optical_depth_0);
     }
     else
     {
-        _S883 = reflection_0(_S878, _S879, _S874.normal_3, _S874.tangent_2, _S874.roughness_1, fabrics_0[_S872].optical_depth_0);
+        _S887 = reflection_0(_S882, _S883, _S878.normal_3, _S878.tangent_2, _S878.roughness_1, fabrics_0[_S876].optical_depth_0);
     }
-    var _S884 : f32 = _S881 * _S883;
-    result_6.diffuse_warp_0 = select(0.0f, _S882, _S874.is_warp_3);
-    result_6.diffuse_weft_0 = select(_S882, 0.0f, _S874.is_warp_3);
-    result_6.specular_warp_0 = select(0.0f, _S884, _S874.is_warp_3);
-    result_6.specular_weft_0 = select(_S884, 0.0f, _S874.is_warp_3);
+    var _S888 : f32 = _S885 * _S887;
+    result_6.diffuse_warp_0 = select(0.0f, _S886, _S878.is_warp_3);
+    result_6.diffuse_weft_0 = select(_S886, 0.0f, _S878.is_warp_3);
+    result_6.specular_warp_0 = select(0.0f, _S888, _S878.is_warp_3);
+    result_6.specular_weft_0 = select(_S888, 0.0f, _S878.is_warp_3);
     result_6.light_visibility_1 = 1.0f;
     return result_6;
 }
 
-fn openness_number_0( _S885 : u32,  _S886 : u32) -> f32
+fn openness_number_0( _S889 : u32,  _S890 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S885].openness_0 + _S886);
+    return table_number_0(fabrics_0[_S889].openness_0 + _S890);
 }
 
-fn blocked_of_terms_0( _S887 : u32,  _S888 : u32,  _S889 : array<f32, i32(6)>,  _S890 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S891 : u32,  _S892 : u32,  _S893 : array<f32, i32(6)>,  _S894 : u32) -> Blocked_0
 {
     var shares_2 : array<f32, i32(3)>;
     var share_5 : u32 = u32(0);
@@ -3611,14 +3628,14 @@ fn blocked_of_terms_0( _S887 : u32,  _S888 : u32,  _S889 : array<f32, i32(6)>,  
         var term_2 : u32 = u32(0);
         for(;;)
         {
-            if(term_2 < _S890)
+            if(term_2 < _S894)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_5] = shares_2[share_5] + openness_number_0(_S887, _S888 + share_5 * _S890 + term_2) * _S889[term_2];
+            shares_2[share_5] = shares_2[share_5] + openness_number_0(_S891, _S892 + share_5 * _S894 + term_2) * _S893[term_2];
             term_2 = term_2 + u32(1);
         }
         shares_2[share_5] = saturate(shares_2[share_5]);
@@ -3631,24 +3648,24 @@ fn blocked_of_terms_0( _S887 : u32,  _S888 : u32,  _S889 : array<f32, i32(6)>,  
     return blocked_2;
 }
 
-fn blocked_at_0( _S891 : u32,  _S892 : bool,  _S893 : bool,  _S894 : f32,  _S895 : f32) -> Blocked_0
+fn blocked_at_0( _S895 : u32,  _S896 : bool,  _S897 : bool,  _S898 : f32,  _S899 : f32) -> Blocked_0
 {
-    var _S896 : f32 = _S895 * openness_number_0(_S891, u32(158));
-    var terms_5 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S894, _S896, _S894 * _S894, _S894 * _S896, _S896 * _S896 );
-    return blocked_of_terms_0(_S891, u32(60) + (select(u32(0), u32(2), _S893) + select(u32(1), u32(0), _S892)) * u32(18), terms_5, u32(6));
+    var _S900 : f32 = _S899 * openness_number_0(_S895, u32(158));
+    var terms_5 : array<f32, i32(6)> = array<f32, i32(6)>( 1.0f, _S898, _S900, _S898 * _S898, _S898 * _S900, _S900 * _S900 );
+    return blocked_of_terms_0(_S895, u32(60) + (select(u32(0), u32(2), _S897) + select(u32(1), u32(0), _S896)) * u32(18), terms_5, u32(6));
 }
 
-fn with_blocked_0( _S897 : u32,  _S898 : Blocked_0,  _S899 : YarnPoint_0,  _S900 : bool,  _S901 : f32) -> Blocked_0
+fn with_blocked_0( _S901 : u32,  _S902 : Blocked_0,  _S903 : YarnPoint_0,  _S904 : bool,  _S905 : f32) -> Blocked_0
 {
-    if(((_S899.hole_5) | (((_S899.is_warp_3) != _S900))))
+    if(((_S903.hole_5) | (((_S903.is_warp_3) != _S904))))
     {
-        return _S898;
+        return _S902;
     }
-    var _S902 : Blocked_0 = blocked_at_0(_S897, _S900, _S899.back_9, _S899.surface_normal_0.z, _S899.height_7 - _S899.plane_6);
+    var _S906 : Blocked_0 = blocked_at_0(_S901, _S904, _S903.back_9, _S903.surface_normal_0.z, _S903.height_7 - _S903.plane_6);
     var result_7 : Blocked_0;
-    result_7.by_warp_0 = _S898.by_warp_0 + _S901 * _S902.by_warp_0;
-    result_7.by_weft_0 = _S898.by_weft_0 + _S901 * _S902.by_weft_0;
-    result_7.far_0 = _S898.far_0 + _S901 * _S902.far_0;
+    result_7.by_warp_0 = _S902.by_warp_0 + _S905 * _S906.by_warp_0;
+    result_7.by_weft_0 = _S902.by_weft_0 + _S905 * _S906.by_weft_0;
+    result_7.far_0 = _S902.far_0 + _S905 * _S906.far_0;
     return result_7;
 }
 
@@ -3657,23 +3674,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S903 : u32,  _S904 : f32) -> vec3<f32>
+fn pyramid_level_0( _S907 : u32,  _S908 : f32) -> vec3<f32>
 {
-    var _S905 : u32 = fabrics_0[_S903].lobes_0.levels_0 + u32(4) * u32(min(_S904, fabrics_0[_S903].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S905), table_number_0(_S905 + u32(1)), table_number_0(_S905 + u32(2)));
+    var _S909 : u32 = fabrics_0[_S907].lobes_0.levels_0 + u32(4) * u32(min(_S908, fabrics_0[_S907].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S909), table_number_0(_S909 + u32(1)), table_number_0(_S909 + u32(2)));
 }
 
-fn coverage_taps_0( _S906 : u32,  _S907 : Footprint_0,  _S908 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S910 : u32,  _S911 : Footprint_0,  _S912 : bool) -> CoverageTaps_0
 {
-    var _S909 : Lobes_std430_0 = fabrics_0[_S906].lobes_0;
-    var _S910 : f32 = Footprint_spread_side_0(_S907) * fabrics_0[_S906].lobes_0.inverse_base_size_0;
-    var _S911 : vec3<f32> = pyramid_level_0(_S906, floor(binary_logarithm_0(max(0.68000000715255737f * _S910, 1.0f))));
-    var _S912 : f32 = 1.0f / max(_S910, 9.99999997475242708e-07f);
-    var _S913 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S906].warp_0].inverse_period_0, families_0[fabrics_0[_S906].weft_0].inverse_period_0);
-    var _S914 : vec2<f32> = _S907.centre_0 * _S913;
-    var _S915 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S912 * _S912), 0.0f, 1.0f)), 0.3333333432674408f * _S912), 1.0f));
-    var _S916 : vec2<f32> = _S907.dx_0 * _S913 * _S915;
-    var _S917 : vec2<f32> = _S907.dy_0 * _S913 * _S915;
+    var _S913 : Lobes_std430_0 = fabrics_0[_S910].lobes_0;
+    var _S914 : f32 = Footprint_spread_side_0(_S911) * fabrics_0[_S910].lobes_0.inverse_base_size_0;
+    var _S915 : vec3<f32> = pyramid_level_0(_S910, floor(binary_logarithm_0(max(0.68000000715255737f * _S914, 1.0f))));
+    var _S916 : f32 = 1.0f / max(_S914, 9.99999997475242708e-07f);
+    var _S917 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S910].warp_0].inverse_period_0, families_0[fabrics_0[_S910].weft_0].inverse_period_0);
+    var _S918 : vec2<f32> = _S911.centre_0 * _S917;
+    var _S919 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S916 * _S916), 0.0f, 1.0f)), 0.3333333432674408f * _S916), 1.0f));
+    var _S920 : vec2<f32> = _S911.dx_0 * _S917 * _S919;
+    var _S921 : vec2<f32> = _S911.dy_0 * _S917 * _S919;
     var taps_4 : CoverageTaps_0;
     var number_8 : u32 = u32(0);
     for(;;)
@@ -3685,24 +3702,24 @@ fn coverage_taps_0( _S906 : u32,  _S907 : Footprint_0,  _S908 : bool) -> Coverag
         {
             break;
         }
-        var _S918 : vec2<f32> = _S914 + vec2<f32>(TAP_OFFSETS_0[number_8].x) * _S916 + vec2<f32>(TAP_OFFSETS_0[number_8].y) * _S917;
-        var _S919 : f32 = _S911.y;
-        taps_4.nodes_1[number_8] = select(u32(0), _S909.face_nodes_0, _S908) + u32(wrapped_cell_0(_S918.y, _S911.z) * _S919 + wrapped_cell_0(_S918.x, _S919) + _S911.x);
+        var _S922 : vec2<f32> = _S918 + vec2<f32>(TAP_OFFSETS_0[number_8].x) * _S920 + vec2<f32>(TAP_OFFSETS_0[number_8].y) * _S921;
+        var _S923 : f32 = _S915.y;
+        taps_4.nodes_1[number_8] = select(u32(0), _S913.face_nodes_0, _S912) + u32(wrapped_cell_0(_S922.y, _S915.z) * _S923 + wrapped_cell_0(_S922.x, _S923) + _S915.x);
         number_8 = number_8 + u32(1);
     }
     return taps_4;
 }
 
-fn joint_ratios_0( _S920 : u32,  _S921 : vec3<f32>,  _S922 : vec3<f32>,  _S923 : bool) -> vec2<f32>
+fn joint_ratios_0( _S924 : u32,  _S925 : vec3<f32>,  _S926 : vec3<f32>,  _S927 : bool) -> vec2<f32>
 {
-    var _S924 : NodeTaps_0 = node_taps_of_0(_S922, u32(16));
-    var _S925 : NodeTaps_0 = node_taps_of_0(_S921, u32(16));
-    var _S926 : u32 = fabrics_0[_S920].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S923) + select(u32(0), u32(1), (_S921.z) < 0.0f)) * u32(512);
-    var _S927 : u32 = _S926 + u32(512);
-    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S924, _S926, u32(0)), joint_terms_0(_S925, _S927, u32(0))), dot(joint_terms_0(_S924, _S926, u32(1)), joint_terms_0(_S925, _S927, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
+    var _S928 : NodeTaps_0 = node_taps_of_0(_S926, u32(16));
+    var _S929 : NodeTaps_0 = node_taps_of_0(_S925, u32(16));
+    var _S930 : u32 = fabrics_0[_S924].lobes_0.joint_0 + u32(2) * (select(u32(0), u32(2), _S927) + select(u32(0), u32(1), (_S925.z) < 0.0f)) * u32(512);
+    var _S931 : u32 = _S930 + u32(512);
+    return clamp(vec2<f32>(1.0f) + vec2<f32>(dot(joint_terms_0(_S928, _S930, u32(0)), joint_terms_0(_S929, _S931, u32(0))), dot(joint_terms_0(_S928, _S930, u32(1)), joint_terms_0(_S929, _S931, u32(1)))), vec2<f32>(0.0f), vec2<f32>(4.0f));
 }
 
-fn coverage_of_pack_0( _S928 : u32,  _S929 : CoverageTaps_0,  _S930 : u32) -> vec4<f32>
+fn coverage_of_pack_0( _S932 : u32,  _S933 : CoverageTaps_0,  _S934 : u32) -> vec4<f32>
 {
     var number_9 : u32 = u32(0);
     var even_1 : u32 = u32(0);
@@ -3716,9 +3733,9 @@ fn coverage_of_pack_0( _S928 : u32,  _S929 : CoverageTaps_0,  _S930 : u32) -> ve
         {
             break;
         }
-        var _S931 : u32 = words_0[fabrics_0[_S928].lobes_0.coverage_0 + _S929.nodes_1[number_9] * fabrics_0[_S928].lobes_0.packs_0 + _S930];
-        var even_2 : u32 = even_1 + ((_S931 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S931 >> (u32(8)))) & (u32(16711935))));
+        var _S935 : u32 = words_0[fabrics_0[_S932].lobes_0.coverage_0 + _S933.nodes_1[number_9] * fabrics_0[_S932].lobes_0.packs_0 + _S934];
+        var even_2 : u32 = even_1 + ((_S935 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S935 >> (u32(8)))) & (u32(16711935))));
         number_9 = number_9 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3726,7 +3743,7 @@ fn coverage_of_pack_0( _S928 : u32,  _S929 : CoverageTaps_0,  _S930 : u32) -> ve
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S932 : u32,  _S933 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S936 : u32,  _S937 : CoverageTaps_0) -> f32
 {
     var number_10 : u32 = u32(0);
     var total_4 : u32 = u32(0);
@@ -3739,33 +3756,33 @@ fn coverage_of_holes_0( _S932 : u32,  _S933 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_5 : u32 = total_4 + ((((words_0[fabrics_0[_S932].lobes_0.coverage_holes_0 + _S933.nodes_1[number_10] / u32(4)] >> ((u32(8) * (_S933.nodes_1[number_10] % u32(4)))))) & (u32(255))));
+        var total_5 : u32 = total_4 + ((((words_0[fabrics_0[_S936].lobes_0.coverage_holes_0 + _S937.nodes_1[number_10] / u32(4)] >> ((u32(8) * (_S937.nodes_1[number_10] % u32(4)))))) & (u32(255))));
         number_10 = number_10 + u32(1);
         total_4 = total_5;
     }
     return f32(total_4) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S934 : u32,  _S935 : CoverageTaps_0,  _S936 : NodeTaps_0,  _S937 : bool) -> f32
+fn prefiltered_hole_0( _S938 : u32,  _S939 : CoverageTaps_0,  _S940 : NodeTaps_0,  _S941 : bool) -> f32
 {
-    var _S938 : f32 = interpolate_table_0(_S936, fabrics_0[_S934].lobes_0.projected_area_0 + fabrics_0[_S934].lobes_0.packs_0, fabrics_0[_S934].lobes_0.packs_0 + u32(1)).x;
-    return min(coverage_of_holes_0(_S934, _S935) * _S938 * _S938 * select(fabrics_0[_S934].lobes_0.front_hole_weight_0, fabrics_0[_S934].lobes_0.back_hole_weight_0, _S937), 1.0f);
+    var _S942 : f32 = interpolate_table_0(_S940, fabrics_0[_S938].lobes_0.projected_area_0 + fabrics_0[_S938].lobes_0.packs_0, fabrics_0[_S938].lobes_0.packs_0 + u32(1)).x;
+    return min(coverage_of_holes_0(_S938, _S939) * _S942 * _S942 * select(fabrics_0[_S938].lobes_0.front_hole_weight_0, fabrics_0[_S938].lobes_0.back_hole_weight_0, _S941), 1.0f);
 }
 
-fn prefiltered_components_0( _S939 : u32,  _S940 : Footprint_0,  _S941 : vec3<f32>,  _S942 : vec3<f32>,  _S943 : bool) -> Components_0
+fn prefiltered_components_0( _S943 : u32,  _S944 : Footprint_0,  _S945 : vec3<f32>,  _S946 : vec3<f32>,  _S947 : bool) -> Components_0
 {
-    var _S944 : CoverageTaps_0 = coverage_taps_0(_S939, _S940, _S943);
-    var _S945 : NodeTaps_0 = node_taps_0(_S942);
-    var view_nodes_0 : NodeTaps_0 = _S945;
-    var _S946 : NodeTaps_0 = node_taps_0(_S941);
-    var light_nodes_0 : NodeTaps_0 = _S946;
-    var _S947 : u32 = select(u32(0), u32(1), _S943);
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S947 * u32(256)));
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S947 + select(u32(0), u32(1), (_S941.z) < 0.0f)) * u32(256)));
-    var _S948 : vec3<f32> = half_vector_0(_S941, _S942);
-    var _S949 : vec2<f32> = joint_ratios_0(_S939, _S941, _S942, _S943);
-    var _S950 : Lobes_std430_0 = fabrics_0[_S939].lobes_0;
-    var _S951 : u32 = select(fabrics_0[_S939].lobes_0.front_warp_packs_0, fabrics_0[_S939].lobes_0.back_warp_packs_0, _S943);
+    var _S948 : CoverageTaps_0 = coverage_taps_0(_S943, _S944, _S947);
+    var _S949 : NodeTaps_0 = node_taps_0(_S946);
+    var view_nodes_0 : NodeTaps_0 = _S949;
+    var _S950 : NodeTaps_0 = node_taps_0(_S945);
+    var light_nodes_0 : NodeTaps_0 = _S950;
+    var _S951 : u32 = select(u32(0), u32(1), _S947);
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S951 * u32(256)));
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((u32(2) * _S951 + select(u32(0), u32(1), (_S945.z) < 0.0f)) * u32(256)));
+    var _S952 : vec3<f32> = half_vector_0(_S945, _S946);
+    var _S953 : vec2<f32> = joint_ratios_0(_S943, _S945, _S946, _S947);
+    var _S954 : Lobes_std430_0 = fabrics_0[_S943].lobes_0;
+    var _S955 : u32 = select(fabrics_0[_S943].lobes_0.front_warp_packs_0, fabrics_0[_S943].lobes_0.back_warp_packs_0, _S947);
     var sums_9 : Components_0;
     sums_9.diffuse_warp_0 = 0.0f;
     sums_9.diffuse_weft_0 = 0.0f;
@@ -3776,23 +3793,23 @@ fn prefiltered_components_0( _S939 : u32,  _S940 : Footprint_0,  _S941 : vec3<f3
     var total_6 : f32 = 0.0f;
     for(;;)
     {
-        if(pack_0 < (_S950.packs_0))
+        if(pack_0 < (_S954.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S952 : vec4<f32> = coverage_of_pack_0(_S939, _S944, pack_0);
-        var _S953 : vec4<f32> = interpolate_table_0(view_nodes_0, _S950.projected_area_0 + pack_0, _S950.packs_0 + u32(1));
-        var _S954 : vec4<f32> = interpolate_table_0(light_nodes_0, _S950.light_visibility_0 + pack_0, _S950.packs_0) / vec4<f32>(255.0f);
-        var _S955 : vec4<f32> = interpolate_table_0(light_nodes_0, _S950.irradiance_0 + pack_0, _S950.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S956 : bool = pack_0 < _S951;
-        var _S957 : f32 = families_0[select(fabrics_0[_S939].weft_0, fabrics_0[_S939].warp_0, _S956)].roughness_0;
+        var _S956 : vec4<f32> = coverage_of_pack_0(_S943, _S948, pack_0);
+        var _S957 : vec4<f32> = interpolate_table_0(view_nodes_0, _S954.projected_area_0 + pack_0, _S954.packs_0 + u32(1));
+        var _S958 : vec4<f32> = interpolate_table_0(light_nodes_0, _S954.light_visibility_0 + pack_0, _S954.packs_0) / vec4<f32>(255.0f);
+        var _S959 : vec4<f32> = interpolate_table_0(light_nodes_0, _S954.irradiance_0 + pack_0, _S954.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S960 : bool = pack_0 < _S955;
+        var _S961 : f32 = families_0[select(fabrics_0[_S943].weft_0, fabrics_0[_S943].warp_0, _S960)].roughness_0;
         var number_11 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
-        var lit_1 : f32 = 0.0f;
+        var lit_4 : f32 = 0.0f;
         for(;;)
         {
             if(number_11 < u32(4))
@@ -3802,503 +3819,526 @@ fn prefiltered_components_0( _S939 : u32,  _S940 : Footprint_0,  _S941 : vec3<f3
             {
                 break;
             }
-            var _S958 : Group_0 = group_at_0(_S950.moments_0 + u32(12) * (u32(4) * (_S947 * _S950.packs_0 + pack_0) + number_11), _S957);
-            var _S959 : f32 = _S952[number_11] * _S953[number_11] * _S953[number_11] * _S958.weight_2;
-            var diffuse_1 : f32 = diffuse_0 + _S959 * _S955[number_11];
-            var specular_1 : f32 = specular_0 + _S959 * layer_value_0(_S958, _S948, _S941, _S942, fabrics_0[_S939].optical_depth_0) * _S954[number_11];
-            var lit_2 : f32 = lit_1 + _S959 * _S954[number_11];
-            var total_7 : f32 = total_6 + _S959;
+            var _S962 : Group_0 = group_at_0(_S954.moments_0 + u32(12) * (u32(4) * (_S951 * _S954.packs_0 + pack_0) + number_11), _S961);
+            var _S963 : f32 = _S956[number_11] * _S957[number_11] * _S957[number_11] * _S962.weight_2;
+            var diffuse_1 : f32 = diffuse_0 + _S963 * _S959[number_11];
+            var specular_1 : f32 = specular_0 + _S963 * layer_value_0(_S962, _S952, _S945, _S946, fabrics_0[_S943].optical_depth_0) * _S958[number_11];
+            var lit_5 : f32 = lit_4 + _S963 * _S958[number_11];
+            var total_7 : f32 = total_6 + _S963;
             number_11 = number_11 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
-            lit_1 = lit_2;
+            lit_4 = lit_5;
             total_6 = total_7;
         }
-        sums_9.diffuse_warp_0 = sums_9.diffuse_warp_0 + select(0.0f, diffuse_0, _S956);
-        sums_9.diffuse_weft_0 = sums_9.diffuse_weft_0 + select(diffuse_0, 0.0f, _S956);
-        sums_9.specular_warp_0 = sums_9.specular_warp_0 + select(0.0f, specular_0, _S956);
-        sums_9.specular_weft_0 = sums_9.specular_weft_0 + select(specular_0, 0.0f, _S956);
-        sums_9.light_visibility_1 = sums_9.light_visibility_1 + lit_1 * select(_S949.y, _S949.x, _S956);
+        sums_9.diffuse_warp_0 = sums_9.diffuse_warp_0 + select(0.0f, diffuse_0, _S960);
+        sums_9.diffuse_weft_0 = sums_9.diffuse_weft_0 + select(diffuse_0, 0.0f, _S960);
+        sums_9.specular_warp_0 = sums_9.specular_warp_0 + select(0.0f, specular_0, _S960);
+        sums_9.specular_weft_0 = sums_9.specular_weft_0 + select(specular_0, 0.0f, _S960);
+        sums_9.light_visibility_1 = sums_9.light_visibility_1 + lit_4 * select(_S953.y, _S953.x, _S960);
         pack_0 = pack_0 + u32(1);
     }
-    var _S960 : f32 = prefiltered_hole_0(_S939, _S944, view_nodes_0, _S943);
-    sums_9.hole_2 = _S960;
-    var _S961 : f32 = 1.0f - _S960;
-    var _S962 : f32 = _S961 / max(total_6, 9.999999960041972e-13f);
-    var _S963 : f32 = _S962 * _S949.x;
-    sums_9.diffuse_warp_0 = sums_9.diffuse_warp_0 * _S963;
-    var _S964 : f32 = _S962 * _S949.y;
-    sums_9.diffuse_weft_0 = sums_9.diffuse_weft_0 * _S964;
-    sums_9.specular_warp_0 = sums_9.specular_warp_0 * _S963;
-    sums_9.specular_weft_0 = sums_9.specular_weft_0 * _S964;
-    sums_9.light_visibility_1 = min(sums_9.light_visibility_1 * _S962, _S961);
+    var _S964 : f32 = prefiltered_hole_0(_S943, _S948, view_nodes_0, _S947);
+    sums_9.hole_2 = _S964;
+    var _S965 : f32 = 1.0f - _S964;
+    var _S966 : f32 = _S965 / max(total_6, 9.999999960041972e-13f);
+    var _S967 : f32 = _S966 * _S953.x;
+    sums_9.diffuse_warp_0 = sums_9.diffuse_warp_0 * _S967;
+    var _S968 : f32 = _S966 * _S953.y;
+    sums_9.diffuse_weft_0 = sums_9.diffuse_weft_0 * _S968;
+    sums_9.specular_warp_0 = sums_9.specular_warp_0 * _S967;
+    sums_9.specular_weft_0 = sums_9.specular_weft_0 * _S968;
+    sums_9.light_visibility_1 = min(sums_9.light_visibility_1 * _S966, _S965);
     return sums_9;
 }
 
-fn yarns_over_0( _S965 : u32,  _S966 : Footprint_0,  _S967 : bool) -> Yarns_0
+fn yarns_over_0( _S969 : u32,  _S970 : Footprint_0,  _S971 : bool) -> Yarns_0
 {
-    var _S968 : vec2<f32> = _S966.dx_0;
-    var _S969 : vec2<f32> = _S966.dy_0;
-    var _S970 : vec2<f32> = sqrt(_S968 * _S968 + _S969 * _S969);
-    var _S971 : f32 = Footprint_spread_side_0(_S966);
-    var _S972 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_0 : Yarns_0 = Yarns_x24init_0(_S972, _S972, vec3<f32>(0.0f));
-    var _S973 : bool = (fabrics_0[_S965].is_irregular_0) != u32(0);
+    var _S972 : vec2<f32> = _S970.dx_0;
+    var _S973 : vec2<f32> = _S970.dy_0;
+    var _S974 : vec2<f32> = sqrt(_S972 * _S972 + _S973 * _S973);
+    var _S975 : f32 = Footprint_spread_side_0(_S970);
+    var _S976 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_0 : Yarns_0 = Yarns_x24init_0(_S976, _S976, vec3<f32>(0.0f));
+    var _S977 : bool = (fabrics_0[_S969].is_irregular_0) != u32(0);
     var number_12 : u32 = u32(0);
     for(;;)
     {
-        if(number_12 < select(u32(0), u32(2), _S973))
+        if(number_12 < select(u32(0), u32(2), _S977))
         {
         }
         else
         {
             break;
         }
-        var _S974 : bool = number_12 == u32(0);
-        var _S975 : u32 = select(fabrics_0[_S965].weft_0, fabrics_0[_S965].warp_0, _S974);
-        var _S976 : vec2<f32> = select_vector_0(_S974, _S966.centre_0, _S966.centre_0.yx);
-        var _S977 : vec2<f32> = select_vector_0(_S974, _S970, _S970.yx);
-        var _S978 : f32 = _S976.x;
-        var _S979 : Cell_0 = locate_0(_S975, _S978);
-        var yarn_3 : vec4<f32> = irregular_over_0(_S975, irregular_key_0(_S965, number_12), irregular_thread_0(_S975, _S978, _S979) + _S979.below_0 / (_S979.below_0 + _S979.above_0), _S977.x * (families_0[_S975].count_0 / families_0[_S975].period_0), _S976.y, _S977.y);
-        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S975, _S971));
+        var _S978 : bool = number_12 == u32(0);
+        var _S979 : u32 = select(fabrics_0[_S969].weft_0, fabrics_0[_S969].warp_0, _S978);
+        var _S980 : vec2<f32> = select_vector_0(_S978, _S970.centre_0, _S970.centre_0.yx);
+        var _S981 : vec2<f32> = select_vector_0(_S978, _S974, _S974.yx);
+        var _S982 : f32 = _S980.x;
+        var _S983 : Cell_0 = locate_0(_S979, _S982);
+        var yarn_3 : vec4<f32> = irregular_over_0(_S979, irregular_key_0(_S969, number_12), irregular_thread_0(_S979, _S982, _S983) + _S983.below_0 / (_S983.below_0 + _S983.above_0), _S981.x * (families_0[_S979].count_0 / families_0[_S979].period_0), _S980.y, _S981.y);
+        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S979, _S975));
         yarns_0.warp_4 = yarns_0.weft_4;
         yarns_0.weft_4 = yarn_3;
         number_12 = number_12 + u32(1);
     }
-    var _S980 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S965].warp_0].cover_0, families_0[fabrics_0[_S965].weft_0].cover_0);
-    var _S981 : f32 = select(fabrics_0[_S965].warp_on_top_0, 1.0f - fabrics_0[_S965].warp_on_top_0, _S967);
-    var _S982 : vec3<f32> = shown_of_covers_0(_S980, _S981);
-    var _S983 : vec3<f32> = select_vector_1(_S973, shown_of_covers_0(saturate(_S980 + _S980 * vec2<f32>(yarns_0.warp_4.y, yarns_0.weft_4.y)), _S981) / max(_S982, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_0.shares_0 = _S983;
-    yarns_0.shares_0[i32(2)] = select(1.0f, _S983.z, (_S982.z) > 0.00009999999747379f);
+    var _S984 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S969].warp_0].cover_0, families_0[fabrics_0[_S969].weft_0].cover_0);
+    var _S985 : f32 = select(fabrics_0[_S969].warp_on_top_0, 1.0f - fabrics_0[_S969].warp_on_top_0, _S971);
+    var _S986 : vec3<f32> = shown_of_covers_0(_S984, _S985);
+    var _S987 : vec3<f32> = select_vector_1(_S977, shown_of_covers_0(saturate(_S984 + _S984 * vec2<f32>(yarns_0.warp_4.y, yarns_0.weft_4.y)), _S985) / max(_S986, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_0.shares_0 = _S987;
+    yarns_0.shares_0[i32(2)] = select(1.0f, _S987.z, (_S986.z) > 0.00009999999747379f);
     return yarns_0;
 }
 
-fn with_shares_0( _S984 : u32,  _S985 : Components_0,  _S986 : Yarns_0) -> Components_0
+fn with_shares_0( _S988 : u32,  _S989 : Components_0,  _S990 : Yarns_0) -> Components_0
 {
     var result_8 : Components_0;
-    var _S987 : f32 = min(_S985.hole_2 * _S986.shares_0.z, 1.0f);
-    result_8.hole_2 = _S987;
-    var _S988 : f32 = _S986.shares_0.x;
-    result_8.diffuse_warp_0 = _S985.diffuse_warp_0 * _S988;
-    var _S989 : f32 = _S986.shares_0.y;
-    result_8.diffuse_weft_0 = _S985.diffuse_weft_0 * _S989;
-    result_8.specular_warp_0 = _S985.specular_warp_0 * _S988;
-    result_8.specular_weft_0 = _S985.specular_weft_0 * _S989;
-    result_8.light_visibility_1 = _S985.light_visibility_1 * select(1.0f, (1.0f - _S987) / max(1.0f - _S985.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S984].is_irregular_0) != u32(0));
+    var _S991 : f32 = min(_S989.hole_2 * _S990.shares_0.z, 1.0f);
+    result_8.hole_2 = _S991;
+    var _S992 : f32 = _S990.shares_0.x;
+    result_8.diffuse_warp_0 = _S989.diffuse_warp_0 * _S992;
+    var _S993 : f32 = _S990.shares_0.y;
+    result_8.diffuse_weft_0 = _S989.diffuse_weft_0 * _S993;
+    result_8.specular_warp_0 = _S989.specular_warp_0 * _S992;
+    result_8.specular_weft_0 = _S989.specular_weft_0 * _S993;
+    result_8.light_visibility_1 = _S989.light_visibility_1 * select(1.0f, (1.0f - _S991) / max(1.0f - _S989.hole_2, 9.99999997475242708e-07f), (fabrics_0[_S988].is_irregular_0) != u32(0));
     return result_8;
 }
 
 struct NearestLayer_0
 {
      number_13 : u32,
-     weight_10 : f32,
+     weight_9 : f32,
 };
 
-fn stack_share_0( _S990 : u32,  _S991 : vec2<f32>,  _S992 : vec2<f32>,  _S993 : u32) -> f32
+fn stack_share_0( _S994 : u32,  _S995 : vec2<f32>,  _S996 : vec2<f32>,  _S997 : u32) -> f32
 {
-    if((fabrics_0[_S990].stacks_0) == u32(1))
+    if((fabrics_0[_S994].stacks_0) == u32(1))
     {
         return 1.0f;
     }
-    var _S994 : u32 = fabrics_0[_S990].plane_axes_0 + u32(1);
-    var _S995 : Stretch_0 = stretch_of_0(fabrics_0[_S990].plane_axes_0, _S991.x, _S992.x);
-    var _S996 : Stretch_0 = stretch_of_0(_S994, _S991.y, _S992.y);
-    return clamp(integral_on_top_0(fabrics_0[_S990].plane_axes_0, _S995, _S996, u32(families_0[_S994].count_0), _S993) / (lengths_0(fabrics_0[_S990].plane_axes_0, _S995).x * lengths_0(_S994, _S996).x), 0.0f, 1.0f);
+    var _S998 : u32 = fabrics_0[_S994].plane_axes_0 + u32(1);
+    var _S999 : Stretch_0 = stretch_of_0(fabrics_0[_S994].plane_axes_0, _S995.x, _S996.x);
+    var _S1000 : Stretch_0 = stretch_of_0(_S998, _S995.y, _S996.y);
+    return clamp(integral_on_top_0(fabrics_0[_S994].plane_axes_0, _S999, _S1000, u32(families_0[_S998].count_0), _S997) / (lengths_0(fabrics_0[_S994].plane_axes_0, _S999).x * lengths_0(_S998, _S1000).x), 0.0f, 1.0f);
 }
 
-fn layered_albedos_0( _S997 : u32,  _S998 : Footprint_0,  _S999 : NearestLayer_0,  _S1000 : bool,  _S1001 : vec3<f32>,  _S1002 : vec3<f32>) -> LayeredAlbedos_0
+fn layered_albedos_0( _S1001 : u32,  _S1002 : Footprint_0,  _S1003 : NearestLayer_0,  _S1004 : bool,  _S1005 : vec3<f32>,  _S1006 : vec3<f32>) -> LayeredAlbedos_0
 {
-    var _S1003 : vec2<f32> = _S998.dx_0;
-    var _S1004 : vec2<f32> = _S998.dy_0;
-    var _S1005 : vec2<f32> = sqrt(_S1003 * _S1003 + _S1004 * _S1004);
-    var _S1006 : vec3<f32> = vec3<f32>(0.0f);
-    var _S1007 : Albedos_0 = Albedos_x24init_0(_S1006, _S1006, _S1006, _S1006);
-    var _S1008 : LayersBehind_0 = LayersBehind_x24init_0(_S1006, _S1006);
-    var found_1 : LayeredAlbedos_0 = LayeredAlbedos_x24init_0(FamilyAlbedos_x24init_0(_S1007, _S1007), _S1008);
-    var _S1009 : LayerSums_0 = LayerSums_x24init_0(_S1007, 0.0f, _S1008);
-    var warp_10 : LayerSums_0 = _S1009;
-    var weft_10 : LayerSums_0 = _S1009;
+    var _S1007 : vec2<f32> = _S1002.dx_0;
+    var _S1008 : vec2<f32> = _S1002.dy_0;
+    var _S1009 : vec2<f32> = sqrt(_S1007 * _S1007 + _S1008 * _S1008);
+    var _S1010 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1011 : Albedos_0 = Albedos_x24init_0(_S1010, _S1010, _S1010, _S1010);
+    var _S1012 : FamilyAlbedos_0 = FamilyAlbedos_x24init_0(_S1011, _S1011);
+    var _S1013 : LayersBehind_0 = LayersBehind_x24init_0(_S1010, _S1010);
+    var found_1 : LayeredAlbedos_0 = LayeredAlbedos_x24init_0(_S1012, _S1012, _S1013);
+    var _S1014 : LayerSums_0 = LayerSums_x24init_0(_S1011, _S1011, 0.0f, 0.0f, 0.0f, _S1013);
+    var warp_10 : LayerSums_0 = _S1014;
+    var weft_10 : LayerSums_0 = _S1014;
     var number_14 : u32 = u32(0);
     for(;;)
     {
-        if(number_14 < (plane_count_0(_S997)))
+        if(number_14 < (plane_count_0(_S1001)))
         {
         }
         else
         {
             break;
         }
-        var _S1010 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S997, number_14), _S998.centre_0, _S1005, _S1000);
-        if(!is_layered_0(_S997))
+        var _S1015 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S1001, number_14), _S1002.centre_0, _S1009, _S1004);
+        if(!is_layered_0(_S1001))
         {
-            found_1.albedos_2 = _S1010;
+            found_1.albedos_2 = _S1015;
+            found_1.means_0 = _S1015;
             return found_1;
         }
-        var _S1011 : f32 = select(1.0f - _S999.weight_10, 1.0f, number_14 == (_S999.number_13));
+        var _S1016 : f32 = select(1.0f - _S1003.weight_9, 1.0f, number_14 == (_S1003.number_13));
         var stack_0 : u32 = u32(0);
         for(;;)
         {
-            if(stack_0 < (fabrics_0[_S997].stacks_0))
+            if(stack_0 < (fabrics_0[_S1001].stacks_0))
             {
             }
             else
             {
                 break;
             }
-            var _S1012 : f32 = stack_share_0(_S997, _S998.centre_0, _S1005, stack_0);
-            var _S1013 : u32 = fabrics_0[_S997].plane_shares_0 + u32(144) * (u32(2) * (stack_0 * fabrics_0[_S997].planes_0 + number_14) + select(u32(0), u32(1), _S1000));
-            var _S1014 : LayerSums_0 = with_seen_0(warp_10, _S1010.warp_6, families_0[fabrics_0[_S997].warp_0].layer_through_0, _S1013, _S1012, _S1011, _S1001, _S1002);
-            var _S1015 : LayerSums_0 = with_seen_0(weft_10, _S1010.weft_6, families_0[fabrics_0[_S997].weft_0].layer_through_0, _S1013 + u32(72), _S1012, _S1011, _S1001, _S1002);
-            var _S1016 : u32 = stack_0 + u32(1);
-            warp_10 = _S1014;
-            weft_10 = _S1015;
-            stack_0 = _S1016;
+            var _S1017 : f32 = stack_share_0(_S1001, _S1002.centre_0, _S1009, stack_0);
+            var _S1018 : u32 = fabrics_0[_S1001].plane_shares_0 + u32(144) * (u32(2) * (stack_0 * fabrics_0[_S1001].planes_0 + number_14) + select(u32(0), u32(1), _S1004));
+            var _S1019 : LayerSums_0 = with_seen_0(warp_10, _S1015.warp_6, families_0[fabrics_0[_S1001].warp_0].layer_through_0, _S1018, _S1017, _S1016, _S1005, _S1006);
+            var _S1020 : LayerSums_0 = with_seen_0(weft_10, _S1015.weft_6, families_0[fabrics_0[_S1001].weft_0].layer_through_0, _S1018 + u32(72), _S1017, _S1016, _S1005, _S1006);
+            var _S1021 : u32 = stack_0 + u32(1);
+            warp_10 = _S1019;
+            weft_10 = _S1020;
+            stack_0 = _S1021;
         }
         number_14 = number_14 + u32(1);
     }
-    found_1.albedos_2.warp_6 = divided_0(warp_10.albedos_4, warp_10.weight_3);
-    found_1.albedos_2.weft_6 = divided_0(weft_10.albedos_4, weft_10.weight_3);
+    var _S1022 : f32 = warp_10.weight_3;
+    found_1.albedos_2.warp_6 = divided_0(warp_10.albedos_4, _S1022, _S1022);
+    var _S1023 : f32 = weft_10.weight_3;
+    found_1.albedos_2.weft_6 = divided_0(weft_10.albedos_4, _S1023, _S1023);
+    found_1.means_0.warp_6 = divided_0(warp_10.means_2, warp_10.lit_0, warp_10.passed_0);
+    found_1.means_0.weft_6 = divided_0(weft_10.means_2, weft_10.lit_0, weft_10.passed_0);
     found_1.behind_0.reflected_0 = warp_10.behind_2.reflected_0 + weft_10.behind_2.reflected_0;
     found_1.behind_0.transmitted_0 = warp_10.behind_2.transmitted_0 + weft_10.behind_2.transmitted_0;
     return found_1;
 }
 
-fn toned_0( _S1017 : u32,  _S1018 : u32,  _S1019 : Albedos_0,  _S1020 : vec4<f32>) -> Albedos_0
+fn toned_0( _S1024 : u32,  _S1025 : u32,  _S1026 : Albedos_0,  _S1027 : vec4<f32>) -> Albedos_0
 {
-    var _S1021 : vec3<f32> = _S1019.diffuse_reflect_0 + _S1019.diffuse_transmit_0;
-    var _S1022 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1023 : vec3<f32> = _S1022 - vec3<f32>(fabrics_0[_S1017].layer_bound_0) * max(_S1019.specular_reflect_0, _S1019.specular_transmit_0);
-    var _S1024 : vec3<f32> = vec3<f32>(0.0f);
-    var _S1025 : vec3<f32> = max(_S1022 - _S1021, _S1024) / (_S1022 + _S1021);
-    var _S1026 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S1027 : vec3<f32> = (_S1023 / max(_S1021, _S1026) - _S1022) / max(vec3<f32>(0.89999997615814209f) * _S1025, _S1026);
-    var _S1028 : vec3<f32> = _S1022 - vec3<f32>((saturate(min(min(_S1027.x, _S1027.y), _S1027.z)) * _S1020.z)) * _S1025;
-    var _S1029 : vec3<f32> = min(vec3<f32>(families_0[_S1018].nep_red_0, families_0[_S1018].nep_green_0, families_0[_S1018].nep_blue_0), _S1023);
-    var found_2 : Albedos_0 = _S1019;
-    var _S1030 : f32 = _S1020.w;
-    var _S1031 : vec3<f32> = _S1028 * _S1019.diffuse_transmit_0 * vec3<f32>((1.0f - _S1030));
-    found_2.diffuse_transmit_0 = _S1031;
-    found_2.diffuse_reflect_0 = clamp(mix(_S1028 * _S1019.diffuse_reflect_0, _S1029, vec3<f32>(_S1030)), _S1024, max(_S1023 - _S1031, _S1024));
+    var _S1028 : vec3<f32> = _S1026.diffuse_reflect_0 + _S1026.diffuse_transmit_0;
+    var _S1029 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1030 : vec3<f32> = _S1029 - vec3<f32>(fabrics_0[_S1024].layer_bound_0) * max(_S1026.specular_reflect_0, _S1026.specular_transmit_0);
+    var _S1031 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1032 : vec3<f32> = max(_S1029 - _S1028, _S1031) / (_S1029 + _S1028);
+    var _S1033 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S1034 : vec3<f32> = (_S1030 / max(_S1028, _S1033) - _S1029) / max(vec3<f32>(0.89999997615814209f) * _S1032, _S1033);
+    var _S1035 : vec3<f32> = _S1029 - vec3<f32>((saturate(min(min(_S1034.x, _S1034.y), _S1034.z)) * _S1027.z)) * _S1032;
+    var _S1036 : vec3<f32> = min(vec3<f32>(families_0[_S1025].nep_red_0, families_0[_S1025].nep_green_0, families_0[_S1025].nep_blue_0), _S1030);
+    var found_2 : Albedos_0 = _S1026;
+    var _S1037 : f32 = _S1027.w;
+    var _S1038 : vec3<f32> = _S1035 * _S1026.diffuse_transmit_0 * vec3<f32>((1.0f - _S1037));
+    found_2.diffuse_transmit_0 = _S1038;
+    found_2.diffuse_reflect_0 = clamp(mix(_S1035 * _S1026.diffuse_reflect_0, _S1036, vec3<f32>(_S1037)), _S1031, max(_S1030 - _S1038, _S1031));
     return found_2;
 }
 
-fn with_tones_0( _S1032 : u32,  _S1033 : FamilyAlbedos_0,  _S1034 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S1039 : u32,  _S1040 : FamilyAlbedos_0,  _S1041 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S1032].is_irregular_0) == u32(0))
+    if((fabrics_0[_S1039].is_irregular_0) == u32(0))
     {
-        return _S1033;
+        return _S1040;
     }
     var result_9 : FamilyAlbedos_0;
-    result_9.warp_6 = toned_0(_S1032, fabrics_0[_S1032].warp_0, _S1033.warp_6, _S1034.warp_4);
-    result_9.weft_6 = toned_0(_S1032, fabrics_0[_S1032].weft_0, _S1033.weft_6, _S1034.weft_4);
+    result_9.warp_6 = toned_0(_S1039, fabrics_0[_S1039].warp_0, _S1040.warp_6, _S1041.warp_4);
+    result_9.weft_6 = toned_0(_S1039, fabrics_0[_S1039].weft_0, _S1040.weft_6, _S1041.weft_4);
     return result_9;
 }
 
-fn detail_gain_0( _S1035 : u32,  _S1036 : u32,  _S1037 : SurfacePoint_0,  _S1038 : bool,  _S1039 : u32,  _S1040 : f32) -> vec2<f32>
+fn detail_gain_0( _S1042 : u32,  _S1043 : u32,  _S1044 : SurfacePoint_0,  _S1045 : bool,  _S1046 : u32,  _S1047 : f32) -> vec2<f32>
 {
-    var _S1041 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1048 : vec2<f32> = vec2<f32>(0.0f);
     var gain_2 : vec2<f32>;
-    if((families_0[_S1036].has_plies_0) > 0.0f)
+    if((families_0[_S1043].has_plies_0) > 0.0f)
     {
-        gain_2 = groove_0(0.94999998807907104f * fade_0(_S1040, 1.0f / families_0[_S1036].plies_per_mm_0), ply_offset_0(_S1036, _S1037, _S1038));
+        gain_2 = groove_0(0.94999998807907104f * fade_0(_S1047, 1.0f / families_0[_S1043].plies_per_mm_0), ply_offset_0(_S1043, _S1044, _S1045));
     }
     else
     {
-        gain_2 = _S1041;
+        gain_2 = _S1048;
     }
-    if((families_0[_S1036].fibre_tone_0) > 0.0f)
+    if((families_0[_S1043].fibre_tone_0) > 0.0f)
     {
-        var _S1042 : FibreNoise_0 = fibre_noise_at_0(_S1035, _S1036, _S1037, _S1039, _S1040);
-        var _S1043 : f32 = 4.5f * families_0[_S1036].fibre_tone_0;
-        gain_2 = gain_2 + vec2<f32>(families_0[_S1036].fibre_tone_0) * vec2<f32>(_S1042.bundle_weight_0 * _S1042.bundle_0.y + _S1042.fibre_weight_0 * _S1042.fibre_0.y, _S1042.bundle_weight_0 + _S1042.fibre_weight_0) + (groove_0(_S1043 * (_S1042.bundle_weight_0 * (0.5f * (_S1042.bundle_0.x - 1.0f) + 1.0f)), _S1042.bundle_offset_0) + groove_0(_S1043 * _S1042.fibre_weight_0, _S1042.offset_2));
+        var _S1049 : FibreNoise_0 = fibre_noise_at_0(_S1042, _S1043, _S1044, _S1046, _S1047);
+        var _S1050 : f32 = 4.5f * families_0[_S1043].fibre_tone_0;
+        gain_2 = gain_2 + vec2<f32>(families_0[_S1043].fibre_tone_0) * vec2<f32>(_S1049.bundle_weight_0 * _S1049.bundle_0.y + _S1049.fibre_weight_0 * _S1049.fibre_0.y, _S1049.bundle_weight_0 + _S1049.fibre_weight_0) + (groove_0(_S1050 * (_S1049.bundle_weight_0 * (0.5f * (_S1049.bundle_0.x - 1.0f) + 1.0f)), _S1049.bundle_offset_0) + groove_0(_S1050 * _S1049.fibre_weight_0, _S1049.offset_2));
     }
-    if((families_0[_S1036].slub_0) > 0.0f)
+    if((families_0[_S1043].slub_0) > 0.0f)
     {
-        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S1036].slub_0 * fade_0(_S1040, 1.0f / families_0[_S1036].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S1039, ((fabrics_0[_S1035].seed_0) ^ (u32(1373058189)))), select(- _S1037.x_8, _S1037.y_2, _S1037.is_warp_0) * families_0[_S1036].slubs_per_mm_0).x, 1.0f);
+        gain_2 = gain_2 + vec2<f32>((0.15000000596046448f * families_0[_S1043].slub_0 * fade_0(_S1047, 1.0f / families_0[_S1043].slubs_per_mm_0))) * vec2<f32>(wave_noise_0(hash_key_0(_S1046, ((fabrics_0[_S1042].seed_0) ^ (u32(1373058189)))), select(- _S1044.x_8, _S1044.y_2, _S1044.is_warp_0) * families_0[_S1043].slubs_per_mm_0).x, 1.0f);
     }
     return vec2<f32>(max(gain_2.x, -0.94999998807907104f), gain_2.y);
 }
 
-fn vary_albedos_0( _S1044 : u32,  _S1045 : Albedos_0,  _S1046 : u32,  _S1047 : u32,  _S1048 : vec2<f32>) -> Albedos_0
+fn vary_albedos_0( _S1051 : u32,  _S1052 : Albedos_0,  _S1053 : u32,  _S1054 : u32,  _S1055 : vec2<f32>) -> Albedos_0
 {
-    var _S1049 : vec3<f32> = max(_S1045.specular_reflect_0, _S1045.specular_transmit_0);
-    var _S1050 : vec3<f32> = _S1045.diffuse_reflect_0 + _S1045.diffuse_transmit_0;
-    var _S1051 : vec3<f32> = vec3<f32>(fabrics_0[_S1044].layer_bound_0);
-    var _S1052 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1053 : vec3<f32> = _S1052 - _S1051 * _S1049;
-    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S1046, fabrics_0[_S1044].colour_noise_0, fabrics_0[_S1044].seed_0), _S1050, _S1053);
-    var _S1054 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S1048.y, vec3<f32>(colour_1) * _S1050, _S1053) * _S1048.x)));
-    var _S1055 : f32 = bounded_gain_0(fibre_gain_0(_S1046, _S1047, fabrics_0[_S1044].fibre_noise_0, fabrics_0[_S1044].seed_0), _S1049, min((_S1052 - _S1054 * _S1050) / _S1051, vec3<f32>(1.0f)));
+    var _S1056 : vec3<f32> = max(_S1052.specular_reflect_0, _S1052.specular_transmit_0);
+    var _S1057 : vec3<f32> = _S1052.diffuse_reflect_0 + _S1052.diffuse_transmit_0;
+    var _S1058 : vec3<f32> = vec3<f32>(fabrics_0[_S1051].layer_bound_0);
+    var _S1059 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1060 : vec3<f32> = _S1059 - _S1058 * _S1056;
+    var colour_1 : f32 = bounded_gain_0(thread_gain_0(_S1053, fabrics_0[_S1051].colour_noise_0, fabrics_0[_S1051].seed_0), _S1057, _S1060);
+    var _S1061 : vec3<f32> = vec3<f32>((colour_1 * (1.0f + flattened_0(_S1055.y, vec3<f32>(colour_1) * _S1057, _S1060) * _S1055.x)));
+    var _S1062 : f32 = bounded_gain_0(fibre_gain_0(_S1053, _S1054, fabrics_0[_S1051].fibre_noise_0, fabrics_0[_S1051].seed_0), _S1056, min((_S1059 - _S1061 * _S1057) / _S1058, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S1054 * _S1045.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S1054 * _S1045.diffuse_transmit_0;
-    var _S1056 : vec3<f32> = vec3<f32>(_S1055);
-    varied_0.specular_reflect_0 = _S1056 * _S1045.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S1056 * _S1045.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S1061 * _S1052.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S1061 * _S1052.diffuse_transmit_0;
+    var _S1063 : vec3<f32> = vec3<f32>(_S1062);
+    varied_0.specular_reflect_0 = _S1063 * _S1052.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S1063 * _S1052.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S1057 : u32,  _S1058 : SurfacePoint_0,  _S1059 : Albedos_0,  _S1060 : bool,  _S1061 : f32,  _S1062 : f32) -> Albedos_0
+fn varied_at_0( _S1064 : u32,  _S1065 : SurfacePoint_0,  _S1066 : Albedos_0,  _S1067 : bool,  _S1068 : f32,  _S1069 : f32) -> Albedos_0
 {
-    var _S1063 : u32 = thread_number_0(_S1057, _S1058);
-    var _S1064 : vec3<f32> = fibre_cell_0(_S1058.fibre_across_0, _S1058.fibre_along_0, fabrics_0[_S1057].fibre_size_0);
-    var _S1065 : vec2<f32> = vec2<f32>(0.0f);
+    var _S1070 : u32 = thread_number_0(_S1064, _S1065);
+    var _S1071 : vec3<f32> = fibre_cell_0(_S1065.fibre_across_0, _S1065.fibre_along_0, fabrics_0[_S1064].fibre_size_0);
+    var _S1072 : vec2<f32> = vec2<f32>(0.0f);
     var gain_3 : vec2<f32>;
-    if((((fabrics_0[_S1057].has_detail_0) != u32(0)) & ((_S1061 >= 0.0f))))
+    if((((fabrics_0[_S1064].has_detail_0) != u32(0)) & ((_S1068 >= 0.0f))))
     {
-        gain_3 = detail_gain_0(_S1057, select(fabrics_0[_S1057].weft_0, fabrics_0[_S1057].warp_0, _S1058.is_warp_0), _S1058, _S1060, _S1063, _S1061) * vec2<f32>(1.0f - _S1062, 1.0f);
+        gain_3 = detail_gain_0(_S1064, select(fabrics_0[_S1064].weft_0, fabrics_0[_S1064].warp_0, _S1065.is_warp_0), _S1065, _S1067, _S1070, _S1068) * vec2<f32>(1.0f - _S1069, 1.0f);
     }
     else
     {
-        gain_3 = _S1065;
+        gain_3 = _S1072;
     }
-    return vary_albedos_0(_S1057, _S1059, _S1063, u32(i32(_S1064.x)) * u32(65536) + u32(i32(floor(_S1064.y))), gain_3);
+    return vary_albedos_0(_S1064, _S1066, _S1070, u32(i32(_S1071.x)) * u32(65536) + u32(i32(floor(_S1071.y))), gain_3);
 }
 
-fn lobes_estimate_of_pass_0( _S1066 : u32,  _S1067 : Footprint_0,  _S1068 : f32,  _S1069 : vec2<f32>,  _S1070 : vec3<f32>,  _S1071 : vec3<f32>) -> Estimate_0
+fn with_variation_0( _S1073 : u32,  _S1074 : FamilyAlbedos_0,  _S1075 : SurfacePoint_0,  _S1076 : f32,  _S1077 : vec3<f32>,  _S1078 : bool,  _S1079 : f32) -> FamilyAlbedos_0
 {
-    var _S1072 : f32;
-    var _S1073 : Regime_0 = regime_of_0(_S1066, _S1067, _S1068);
-    var _S1074 : bool = (_S1071.z) < 0.0f;
-    var _S1075 : vec3<f32> = to_face_frame_0(_S1071, _S1074);
-    var _S1076 : f32 = Footprint_spread_side_0(_S1067);
-    var _S1077 : bool = varies_at_0(_S1066, _S1076);
-    var _S1078 : f32 = 1.0f - _S1073.prefiltered_0;
-    var _S1079 : bool = ((_S1078 > 0.0f) & (((((((_S1077 | (((fabrics_0[_S1066].is_coloured_0) != u32(0))))) | ((is_layered_0(_S1066))))) | (((fabrics_0[_S1066].is_irregular_0) != u32(0)))))));
-    var box_0 : Footprint_0 = _S1067;
-    var _S1080 : vec3<f32> = vec3<f32>(0.0f);
-    var _S1081 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S1080, _S1080, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, u32(0));
-    var _S1082 : Components_0 = no_components_0();
+    var _S1080 : bool;
+    if((fabrics_0[_S1073].has_detail_0) != u32(0))
+    {
+        _S1080 = has_hairs_0(_S1073);
+    }
+    else
+    {
+        _S1080 = false;
+    }
+    var cover_4 : f32;
+    if(_S1080)
+    {
+        cover_4 = hair_towards_0(_S1073, hairs_over_0(_S1073, _S1075, _S1078, _S1079), _S1077, _S1079).cover_1;
+    }
+    else
+    {
+        cover_4 = 0.0f;
+    }
+    var result_10 : FamilyAlbedos_0 = _S1074;
+    var _S1081 : Albedos_0;
+    if(_S1075.is_warp_0)
+    {
+        _S1081 = _S1074.warp_6;
+    }
+    else
+    {
+        _S1081 = _S1074.weft_6;
+    }
+    var _S1082 : Albedos_0 = lerp_albedos_0(_S1081, varied_at_0(_S1073, _S1075, _S1081, _S1078, _S1079, cover_4), _S1076);
+    if(_S1075.is_warp_0)
+    {
+        result_10.warp_6 = _S1082;
+    }
+    else
+    {
+        result_10.weft_6 = _S1082;
+    }
+    return result_10;
+}
+
+fn lobes_estimate_of_pass_0( _S1083 : u32,  _S1084 : Footprint_0,  _S1085 : f32,  _S1086 : vec2<f32>,  _S1087 : vec3<f32>,  _S1088 : vec3<f32>) -> Estimate_0
+{
+    var _S1089 : f32;
+    var _S1090 : Regime_0 = regime_of_0(_S1083, _S1084, _S1085);
+    var _S1091 : bool = (_S1088.z) < 0.0f;
+    var _S1092 : vec3<f32> = to_face_frame_0(_S1088, _S1091);
+    var _S1093 : f32 = Footprint_spread_side_0(_S1084);
+    var _S1094 : bool = varies_at_0(_S1083, _S1093);
+    var _S1095 : f32 = 1.0f - _S1090.prefiltered_0;
+    var _S1096 : bool = is_layered_0(_S1083);
+    var _S1097 : bool = ((_S1095 > 0.0f) & (((((((_S1094 | (((fabrics_0[_S1083].is_coloured_0) != u32(0))))) | (_S1096))) | (((fabrics_0[_S1083].is_irregular_0) != u32(0)))))));
+    var box_0 : Footprint_0 = _S1084;
+    var _S1098 : vec3<f32> = vec3<f32>(0.0f);
+    var _S1099 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S1098, _S1098, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, u32(0));
+    var _S1100 : Components_0 = no_components_0();
     var close_1 : CloseUp_0 = no_close_up_0();
-    var _S1083 : u32 = select(u32(1), u32(0), _S1079);
-    var points_1 : Components_0 = _S1082;
-    var central_0 : SurfacePoint_0 = _S1081;
+    var _S1101 : u32 = select(u32(1), u32(0), _S1097);
+    var points_1 : Components_0 = _S1100;
+    var central_0 : SurfacePoint_0 = _S1099;
     var central_weight_0 : f32 = 0.0f;
-    var number_15 : u32 = _S1083;
+    var number_15 : u32 = _S1101;
     for(;;)
     {
-        var _S1084 : f32 = f32(number_15);
-        _S1072 = _S1073.points_0;
-        if(_S1084 < (_S1073.points_0 + 1.0f))
+        var _S1102 : f32 = f32(number_15);
+        _S1089 = _S1090.points_0;
+        if(_S1102 < (_S1090.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S1085 : bool = number_15 == u32(0);
-        var _S1086 : u32 = number_15 - u32(1);
-        var _S1087 : vec2<f32> = POINT_OFFSETS_0[select(_S1086, u32(0), _S1085)] + _S1069;
-        var _S1088 : vec2<f32> = select_vector_0(_S1085, vec2<f32>(0.0f), _S1087 - round(_S1087));
-        var _S1089 : vec2<f32> = _S1067.centre_0 + vec2<f32>(_S1088.x) * _S1067.dx_0 + vec2<f32>(_S1088.y) * _S1067.dy_0;
-        var _S1090 : SearchQuality_0 = quality_of_0(select(_S1073.threads_2, 0.0f, _S1085));
-        var _S1091 : Hit_0 = first_hit_0(_S1066, _S1090, _S1089.x, _S1089.y, _S1075, _S1074);
-        var _S1092 : SurfacePoint_0 = surface_met_0(_S1066, _S1091.x_21, _S1091.y_14, _S1091.height_9, _S1075, _S1074);
-        if(_S1085)
+        var _S1103 : bool = number_15 == u32(0);
+        var _S1104 : u32 = number_15 - u32(1);
+        var _S1105 : vec2<f32> = POINT_OFFSETS_0[select(_S1104, u32(0), _S1103)] + _S1086;
+        var _S1106 : vec2<f32> = select_vector_0(_S1103, vec2<f32>(0.0f), _S1105 - round(_S1105));
+        var _S1107 : vec2<f32> = _S1084.centre_0 + vec2<f32>(_S1106.x) * _S1084.dx_0 + vec2<f32>(_S1106.y) * _S1084.dy_0;
+        var _S1108 : SearchQuality_0 = quality_of_0(select(_S1090.threads_2, 0.0f, _S1103));
+        var _S1109 : Hit_0 = first_hit_0(_S1083, _S1108, _S1107.x, _S1107.y, _S1092, _S1091);
+        var _S1110 : SurfacePoint_0 = surface_met_0(_S1083, _S1109.x_21, _S1109.y_14, _S1109.height_9, _S1092, _S1091);
+        if(_S1103)
         {
-            var central_weight_1 : f32 = select(_S1078, 0.0f, _S1091.hole_7);
-            box_0.centre_0 = mix(_S1067.centre_0, vec2<f32>(_S1091.x_21, _S1091.y_14), vec2<f32>(central_weight_1));
-            central_0 = _S1092;
+            var central_weight_1 : f32 = select(_S1095, 0.0f, _S1109.hole_7);
+            box_0.centre_0 = mix(_S1084.centre_0, vec2<f32>(_S1109.x_21, _S1109.y_14), vec2<f32>(central_weight_1));
+            central_0 = _S1110;
             central_weight_0 = central_weight_1;
             number_15 = number_15 + u32(1);
             continue;
         }
-        var _S1093 : YarnPoint_0 = uncoloured_point_0(_S1066, _S1092, _S1075, _S1074, _S1091.hole_7, _S1076);
-        var _S1094 : f32 = min(_S1073.points_0 - f32(_S1086), 1.0f);
-        var _S1095 : Components_0 = with_added_0(points_1, components_of_point_0(_S1066, _S1090, _S1093, _S1070, _S1071), _S1094);
-        if((fabrics_0[_S1066].openness_0) != u32(4294967295))
+        var _S1111 : YarnPoint_0 = uncoloured_point_0(_S1083, _S1110, _S1092, _S1091, _S1109.hole_7, _S1093);
+        var _S1112 : f32 = min(_S1090.points_0 - f32(_S1104), 1.0f);
+        var _S1113 : Components_0 = with_added_0(points_1, components_of_point_0(_S1083, _S1108, _S1111, _S1087, _S1088), _S1112);
+        if((fabrics_0[_S1083].openness_0) != u32(4294967295))
         {
-            close_1.warp_1 = with_blocked_0(_S1066, close_1.warp_1, _S1093, true, _S1094);
-            close_1.weft_1 = with_blocked_0(_S1066, close_1.weft_1, _S1093, false, _S1094);
+            close_1.warp_1 = with_blocked_0(_S1083, close_1.warp_1, _S1111, true, _S1112);
+            close_1.weft_1 = with_blocked_0(_S1083, close_1.weft_1, _S1111, false, _S1112);
         }
-        points_1 = _S1095;
+        points_1 = _S1113;
         number_15 = number_15 + u32(1);
     }
-    close_1.weight_0 = _S1078;
-    var _S1096 : f32 = max(_S1072, 1.0f);
-    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S1096);
-    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S1096);
+    close_1.weight_0 = _S1095;
+    var _S1114 : f32 = max(_S1089, 1.0f);
+    close_1.warp_1 = scaled_0(close_1.warp_1, 1.0f / _S1114);
+    close_1.weft_1 = scaled_0(close_1.weft_1, 1.0f / _S1114);
     var estimate_0 : Estimate_0;
     estimate_0.close_0 = close_1;
-    estimate_0.components_0 = with_added_0(_S1082, points_1, _S1078 / _S1096);
-    if((_S1073.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S1100, points_1, _S1095 / _S1114);
+    if((_S1090.prefiltered_0) > 0.0f)
     {
-        var _S1097 : Components_0 = prefiltered_components_0(_S1066, _S1067, to_face_frame_0(_S1070, _S1074), _S1075, _S1074);
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S1097, _S1073.prefiltered_0);
+        var _S1115 : Components_0 = prefiltered_components_0(_S1083, _S1084, to_face_frame_0(_S1087, _S1091), _S1092, _S1091);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, _S1115, _S1090.prefiltered_0);
     }
-    var _S1098 : Yarns_0 = yarns_over_0(_S1066, box_0, _S1074);
-    estimate_0.components_0 = with_shares_0(_S1066, estimate_0.components_0, _S1098);
+    var _S1116 : Yarns_0 = yarns_over_0(_S1083, box_0, _S1091);
+    estimate_0.components_0 = with_shares_0(_S1083, estimate_0.components_0, _S1116);
     var nearest_0 : NearestLayer_0;
     nearest_0.number_13 = central_0.layer_0;
-    nearest_0.weight_10 = central_weight_0;
-    var _S1099 : LayeredAlbedos_0 = layered_albedos_0(_S1066, box_0, nearest_0, _S1074, to_face_frame_0(_S1070, _S1074), _S1075);
-    estimate_0.behind_4 = _S1099.behind_0;
-    estimate_0.albedos_14 = with_tones_0(_S1066, _S1099.albedos_2, _S1098);
-    if((_S1077 & ((central_weight_0 > 0.0f))))
+    nearest_0.weight_9 = central_weight_0;
+    var _S1117 : LayeredAlbedos_0 = layered_albedos_0(_S1083, box_0, nearest_0, _S1091, to_face_frame_0(_S1087, _S1091), _S1092);
+    estimate_0.behind_4 = _S1117.behind_0;
+    estimate_0.albedos_14 = with_tones_0(_S1083, _S1117.albedos_2, _S1116);
+    var _S1118 : bool = (_S1094 & ((central_weight_0 > 0.0f)));
+    if(_S1118)
     {
-        var _S1100 : SurfacePoint_0 = central_0;
-        var _S1101 : Albedos_0;
-        if(central_0.is_warp_0)
+        estimate_0.albedos_14 = with_variation_0(_S1083, estimate_0.albedos_14, central_0, central_weight_0, _S1092, _S1091, _S1093);
+    }
+    estimate_0.means_4 = estimate_0.albedos_14;
+    if(_S1096)
+    {
+        estimate_0.means_4 = with_tones_0(_S1083, _S1117.means_0, _S1116);
+        if(_S1118)
         {
-            _S1101 = estimate_0.albedos_14.warp_6;
-        }
-        else
-        {
-            _S1101 = estimate_0.albedos_14.weft_6;
-        }
-        var _S1102 : bool;
-        if((fabrics_0[_S1066].has_detail_0) != u32(0))
-        {
-            _S1102 = has_hairs_0(_S1066);
-        }
-        else
-        {
-            _S1102 = false;
-        }
-        var cover_4 : f32;
-        if(_S1102)
-        {
-            cover_4 = hair_towards_0(_S1066, hairs_over_0(_S1066, central_0, _S1074, _S1076), _S1075, _S1076).cover_1;
-        }
-        else
-        {
-            cover_4 = 0.0f;
-        }
-        var _S1103 : Albedos_0 = lerp_albedos_0(_S1101, varied_at_0(_S1066, central_0, _S1101, _S1074, _S1076, cover_4), central_weight_0);
-        if(_S1100.is_warp_0)
-        {
-            estimate_0.albedos_14.warp_6 = _S1103;
-        }
-        else
-        {
-            estimate_0.albedos_14.weft_6 = _S1103;
+            estimate_0.means_4 = with_variation_0(_S1083, estimate_0.means_4, central_0, central_weight_0, _S1092, _S1091, _S1093);
         }
     }
     return estimate_0;
 }
 
-fn diffuse_kept_0( _S1104 : u32,  _S1105 : vec3<f32>,  _S1106 : vec3<f32>) -> f32
+fn diffuse_kept_0( _S1119 : u32,  _S1120 : vec3<f32>,  _S1121 : vec3<f32>) -> f32
 {
-    return (1.0f - fabrics_0[_S1104].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S1105.z), 0.0f))) * (1.0f - fabrics_0[_S1104].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S1106.z), 0.0f)));
+    return (1.0f - fabrics_0[_S1119].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S1120.z), 0.0f))) * (1.0f - fabrics_0[_S1119].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S1121.z), 0.0f)));
 }
 
-fn highlight_rise_0( _S1107 : u32,  _S1108 : vec3<f32>,  _S1109 : vec3<f32>) -> f32
+fn highlight_rise_0( _S1122 : u32,  _S1123 : vec3<f32>,  _S1124 : vec3<f32>) -> f32
 {
-    var _S1110 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S1108, _S1109) + 0.5f, 9.99999993922529029e-09f, 1.0f));
-    return fabrics_0[_S1107].grazing_gain_0 * fourth_power_0(_S1110) * _S1110;
+    var _S1125 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S1123, _S1124) + 0.5f, 9.99999993922529029e-09f, 1.0f));
+    return fabrics_0[_S1122].grazing_gain_0 * fourth_power_0(_S1125) * _S1125;
 }
 
-fn towards_grazing_0( _S1111 : u32,  _S1112 : Albedos_0,  _S1113 : vec3<f32>,  _S1114 : vec3<f32>) -> Albedos_0
+fn towards_grazing_0( _S1126 : u32,  _S1127 : Albedos_0,  _S1128 : vec3<f32>,  _S1129 : vec3<f32>) -> Albedos_0
 {
-    var _S1115 : f32 = diffuse_kept_0(_S1111, _S1113, _S1114);
-    var result_10 : Albedos_0 = _S1112;
-    var _S1116 : vec3<f32> = vec3<f32>(_S1115);
-    result_10.diffuse_reflect_0 = result_10.diffuse_reflect_0 * _S1116;
-    result_10.diffuse_transmit_0 = result_10.diffuse_transmit_0 * _S1116;
-    result_10.specular_reflect_0 = result_10.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S1111, _S1113, _S1114));
-    return result_10;
+    var _S1130 : f32 = diffuse_kept_0(_S1126, _S1128, _S1129);
+    var result_11 : Albedos_0 = _S1127;
+    var _S1131 : vec3<f32> = vec3<f32>(_S1130);
+    result_11.diffuse_reflect_0 = result_11.diffuse_reflect_0 * _S1131;
+    result_11.diffuse_transmit_0 = result_11.diffuse_transmit_0 * _S1131;
+    result_11.specular_reflect_0 = result_11.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S1126, _S1128, _S1129));
+    return result_11;
 }
 
-fn scattered_by_0( _S1117 : u32,  _S1118 : Albedos_0,  _S1119 : u32,  _S1120 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S1132 : u32,  _S1133 : Albedos_0,  _S1134 : u32,  _S1135 : vec3<f32>) -> Scattered_0
 {
-    var _S1121 : u32 = u32(159) + u32(2) * _S1119;
+    var _S1136 : u32 = u32(159) + u32(2) * _S1134;
     var yarn_4 : Scattered_0;
-    yarn_4.back_14 = _S1120 * _S1118.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S1117, _S1121)) * _S1118.specular_reflect_0;
-    yarn_4.through_1 = _S1120 * _S1118.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S1117, _S1121 + u32(1))) * _S1118.specular_transmit_0;
+    yarn_4.back_14 = _S1135 * _S1133.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S1132, _S1136)) * _S1133.specular_reflect_0;
+    yarn_4.through_1 = _S1135 * _S1133.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S1132, _S1136 + u32(1))) * _S1133.specular_transmit_0;
     return yarn_4;
 }
 
-fn sent_0( _S1122 : u32,  _S1123 : u32,  _S1124 : vec3<f32>,  _S1125 : vec3<f32>,  _S1126 : vec3<f32>,  _S1127 : vec3<f32>,  _S1128 : ptr<function, vec3<f32>>,  _S1129 : ptr<function, vec3<f32>>)
+fn sent_0( _S1137 : u32,  _S1138 : u32,  _S1139 : vec3<f32>,  _S1140 : vec3<f32>,  _S1141 : vec3<f32>,  _S1142 : vec3<f32>,  _S1143 : ptr<function, vec3<f32>>,  _S1144 : ptr<function, vec3<f32>>)
 {
-    var _S1130 : u32 = u32(146) + u32(4) * _S1123;
-    var _S1131 : f32 = openness_number_0(_S1122, _S1130 + u32(1));
-    var _S1132 : f32 = openness_number_0(_S1122, _S1130 + u32(2));
-    var _S1133 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1134 : vec3<f32> = _S1133 - _S1126 * vec3<f32>(openness_number_0(_S1122, _S1130));
-    var _S1135 : vec3<f32> = _S1133 - _S1127 * vec3<f32>(openness_number_0(_S1122, _S1130 + u32(3)));
-    var _S1136 : vec3<f32> = _S1133 / (_S1134 * _S1135 - _S1126 * _S1127 * vec3<f32>((_S1131 * _S1132)));
-    (*_S1128) = (_S1124 * _S1135 + _S1126 * vec3<f32>(_S1131) * _S1125) * _S1136;
-    (*_S1129) = (_S1125 * _S1134 + _S1127 * vec3<f32>(_S1132) * _S1124) * _S1136;
+    var _S1145 : u32 = u32(146) + u32(4) * _S1138;
+    var _S1146 : f32 = openness_number_0(_S1137, _S1145 + u32(1));
+    var _S1147 : f32 = openness_number_0(_S1137, _S1145 + u32(2));
+    var _S1148 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1149 : vec3<f32> = _S1148 - _S1141 * vec3<f32>(openness_number_0(_S1137, _S1145));
+    var _S1150 : vec3<f32> = _S1148 - _S1142 * vec3<f32>(openness_number_0(_S1137, _S1145 + u32(3)));
+    var _S1151 : vec3<f32> = _S1148 / (_S1149 * _S1150 - _S1141 * _S1142 * vec3<f32>((_S1146 * _S1147)));
+    (*_S1143) = (_S1139 * _S1150 + _S1141 * vec3<f32>(_S1146) * _S1140) * _S1151;
+    (*_S1144) = (_S1140 * _S1149 + _S1142 * vec3<f32>(_S1147) * _S1139) * _S1151;
     return;
 }
 
-fn face_sends_0( _S1137 : u32,  _S1138 : u32,  _S1139 : Scattered_0,  _S1140 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S1152 : u32,  _S1153 : u32,  _S1154 : Scattered_0,  _S1155 : Scattered_0) -> FaceSends_0
 {
-    var _S1141 : u32 = u32(2) * _S1138;
-    var _S1142 : u32 = u32(142) + _S1141;
-    var _S1143 : f32 = openness_number_0(_S1137, _S1142);
-    var _S1144 : f32 = openness_number_0(_S1137, _S1142 + u32(1));
-    var _S1145 : vec3<f32> = vec3<f32>((1.0f - _S1143)) * _S1139.back_14;
-    var _S1146 : vec3<f32> = vec3<f32>((1.0f - _S1144)) * _S1140.back_14;
+    var _S1156 : u32 = u32(2) * _S1153;
+    var _S1157 : u32 = u32(142) + _S1156;
+    var _S1158 : f32 = openness_number_0(_S1152, _S1157);
+    var _S1159 : f32 = openness_number_0(_S1152, _S1157 + u32(1));
+    var _S1160 : vec3<f32> = vec3<f32>((1.0f - _S1158)) * _S1154.back_14;
+    var _S1161 : vec3<f32> = vec3<f32>((1.0f - _S1159)) * _S1155.back_14;
     var sends_1 : FaceSends_0;
-    var _S1147 : u32 = u32(154) + _S1141;
-    var _S1148 : f32 = openness_number_0(_S1137, _S1147);
-    sends_1.blocks_warp_0 = _S1148;
-    var _S1149 : f32 = openness_number_0(_S1137, _S1147 + u32(1));
-    sends_1.blocks_weft_0 = _S1149;
-    sends_1.open_0 = _S1148 * _S1143 + _S1149 * _S1144;
-    var _S1150 : vec3<f32> = vec3<f32>(_S1143) * _S1139.back_14;
-    var _S1151 : vec3<f32> = vec3<f32>(_S1144) * _S1140.back_14;
-    var _S1152 : vec3<f32> = sends_1.sky_warp_0;
-    var _S1153 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S1137, _S1138, _S1150, _S1151, _S1145, _S1146, &(_S1152), &(_S1153));
-    sends_1.sky_warp_0 = _S1152;
-    sends_1.sky_weft_0 = _S1153;
-    var _S1154 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S1155 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S1137, _S1138, _S1139.through_1, _S1140.through_1, _S1145, _S1146, &(_S1154), &(_S1155));
-    sends_1.crossing_warp_0 = _S1154;
-    sends_1.crossing_weft_0 = _S1155;
+    var _S1162 : u32 = u32(154) + _S1156;
+    var _S1163 : f32 = openness_number_0(_S1152, _S1162);
+    sends_1.blocks_warp_0 = _S1163;
+    var _S1164 : f32 = openness_number_0(_S1152, _S1162 + u32(1));
+    sends_1.blocks_weft_0 = _S1164;
+    sends_1.open_0 = _S1163 * _S1158 + _S1164 * _S1159;
+    var _S1165 : vec3<f32> = vec3<f32>(_S1158) * _S1154.back_14;
+    var _S1166 : vec3<f32> = vec3<f32>(_S1159) * _S1155.back_14;
+    var _S1167 : vec3<f32> = sends_1.sky_warp_0;
+    var _S1168 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S1152, _S1153, _S1165, _S1166, _S1160, _S1161, &(_S1167), &(_S1168));
+    sends_1.sky_warp_0 = _S1167;
+    sends_1.sky_weft_0 = _S1168;
+    var _S1169 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S1170 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S1152, _S1153, _S1154.through_1, _S1155.through_1, _S1160, _S1161, &(_S1169), &(_S1170));
+    sends_1.crossing_warp_0 = _S1169;
+    sends_1.crossing_weft_0 = _S1170;
     return sends_1;
 }
 
-fn interior_between_0( _S1156 : u32,  _S1157 : u32,  _S1158 : u32,  _S1159 : vec3<f32>,  _S1160 : bool) -> Interior_0
+fn interior_between_0( _S1171 : u32,  _S1172 : u32,  _S1173 : u32,  _S1174 : vec3<f32>,  _S1175 : bool) -> Interior_0
 {
-    var _S1161 : Scattered_0 = scattered_by_0(_S1156, table_albedos_0(_S1157), u32(0), _S1159);
-    var _S1162 : Scattered_0 = scattered_by_0(_S1156, table_albedos_0(_S1158), u32(1), _S1159);
-    var _S1163 : FaceSends_0 = face_sends_0(_S1156, select(u32(0), u32(1), _S1160), _S1161, _S1162);
-    var _S1164 : FaceSends_0 = face_sends_0(_S1156, select(u32(1), u32(0), _S1160), _S1161, _S1162);
-    var _S1165 : vec3<f32> = vec3<f32>(_S1163.blocks_warp_0);
-    var _S1166 : vec3<f32> = vec3<f32>(_S1163.blocks_weft_0);
-    var _S1167 : vec3<f32> = _S1165 * _S1163.crossing_warp_0 + _S1166 * _S1163.crossing_weft_0;
-    var _S1168 : vec3<f32> = vec3<f32>(_S1164.blocks_warp_0);
-    var _S1169 : vec3<f32> = vec3<f32>(_S1164.blocks_weft_0);
-    var _S1170 : vec3<f32> = _S1168 * _S1164.crossing_warp_0 + _S1169 * _S1164.crossing_weft_0;
-    var _S1171 : f32 = 1.0f - _S1163.open_0;
-    var _S1172 : f32 = 1.0f - _S1164.open_0;
-    var _S1173 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1174 : vec3<f32> = _S1173 / (_S1173 - _S1167 * _S1170 * vec3<f32>((_S1171 * _S1172)));
-    var _S1175 : vec3<f32> = _S1170 * (vec3<f32>(_S1163.open_0) + vec3<f32>(_S1171) * (_S1165 * _S1163.sky_warp_0 + _S1166 * _S1163.sky_weft_0)) * _S1174;
-    var _S1176 : vec3<f32> = _S1167 * (vec3<f32>(_S1164.open_0) + vec3<f32>(_S1172) * (_S1168 * _S1164.sky_warp_0 + _S1169 * _S1164.sky_weft_0)) * _S1174;
-    var _S1177 : FaceRadiance_0 = face_radiance_0(_S1163, _S1164.open_0, _S1175, _S1176);
-    var _S1178 : FaceRadiance_0 = face_radiance_0(_S1164, _S1163.open_0, _S1176, _S1175);
+    var _S1176 : Scattered_0 = scattered_by_0(_S1171, table_albedos_0(_S1172), u32(0), _S1174);
+    var _S1177 : Scattered_0 = scattered_by_0(_S1171, table_albedos_0(_S1173), u32(1), _S1174);
+    var _S1178 : FaceSends_0 = face_sends_0(_S1171, select(u32(0), u32(1), _S1175), _S1176, _S1177);
+    var _S1179 : FaceSends_0 = face_sends_0(_S1171, select(u32(1), u32(0), _S1175), _S1176, _S1177);
+    var _S1180 : vec3<f32> = vec3<f32>(_S1178.blocks_warp_0);
+    var _S1181 : vec3<f32> = vec3<f32>(_S1178.blocks_weft_0);
+    var _S1182 : vec3<f32> = _S1180 * _S1178.crossing_warp_0 + _S1181 * _S1178.crossing_weft_0;
+    var _S1183 : vec3<f32> = vec3<f32>(_S1179.blocks_warp_0);
+    var _S1184 : vec3<f32> = vec3<f32>(_S1179.blocks_weft_0);
+    var _S1185 : vec3<f32> = _S1183 * _S1179.crossing_warp_0 + _S1184 * _S1179.crossing_weft_0;
+    var _S1186 : f32 = 1.0f - _S1178.open_0;
+    var _S1187 : f32 = 1.0f - _S1179.open_0;
+    var _S1188 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1189 : vec3<f32> = _S1188 / (_S1188 - _S1182 * _S1185 * vec3<f32>((_S1186 * _S1187)));
+    var _S1190 : vec3<f32> = _S1185 * (vec3<f32>(_S1178.open_0) + vec3<f32>(_S1186) * (_S1180 * _S1178.sky_warp_0 + _S1181 * _S1178.sky_weft_0)) * _S1189;
+    var _S1191 : vec3<f32> = _S1182 * (vec3<f32>(_S1179.open_0) + vec3<f32>(_S1187) * (_S1183 * _S1179.sky_warp_0 + _S1184 * _S1179.sky_weft_0)) * _S1189;
+    var _S1192 : FaceRadiance_0 = face_radiance_0(_S1178, _S1179.open_0, _S1190, _S1191);
+    var _S1193 : FaceRadiance_0 = face_radiance_0(_S1179, _S1178.open_0, _S1191, _S1190);
     var interior_1 : Interior_0;
-    interior_1.warp_9 = _S1177.warp_8;
-    interior_1.weft_9 = _S1177.weft_8;
-    interior_1.leaked_1 = _S1177.leaked_0;
-    interior_1.far_1 = _S1178.mean_1;
-    interior_1.far_leaked_0 = _S1178.leaked_0;
+    interior_1.warp_9 = _S1192.warp_8;
+    interior_1.weft_9 = _S1192.weft_8;
+    interior_1.leaked_1 = _S1192.leaked_0;
+    interior_1.far_1 = _S1193.mean_1;
+    interior_1.far_leaked_0 = _S1193.leaked_0;
     return interior_1;
 }
 
-fn interior_of_0( _S1179 : u32,  _S1180 : vec3<f32>,  _S1181 : bool) -> Interior_0
+fn interior_of_0( _S1194 : u32,  _S1195 : vec3<f32>,  _S1196 : bool) -> Interior_0
 {
-    return interior_between_0(_S1179, families_0[fabrics_0[_S1179].warp_0].cloth_mean_0, families_0[fabrics_0[_S1179].weft_0].cloth_mean_0, _S1180, _S1181);
+    return interior_between_0(_S1194, families_0[fabrics_0[_S1194].warp_0].cloth_mean_0, families_0[fabrics_0[_S1194].weft_0].cloth_mean_0, _S1195, _S1196);
 }
 
-fn blocked_from_0( _S1182 : u32,  _S1183 : vec3<f32>,  _S1184 : bool,  _S1185 : bool) -> Blocked_0
+fn blocked_from_0( _S1197 : u32,  _S1198 : vec3<f32>,  _S1199 : bool,  _S1200 : bool) -> Blocked_0
 {
     var terms_6 : array<f32, i32(6)>;
-    view_terms_0(_S1183, &(terms_6));
-    return blocked_of_terms_0(_S1182, (select(u32(0), u32(2), _S1185) + select(u32(1), u32(0), _S1184)) * u32(15), terms_6, u32(5));
+    view_terms_0(_S1198, &(terms_6));
+    return blocked_of_terms_0(_S1197, (select(u32(0), u32(2), _S1200) + select(u32(1), u32(0), _S1199)) * u32(15), terms_6, u32(5));
 }
 
-fn warp_seen_from_0( _S1186 : u32,  _S1187 : vec3<f32>,  _S1188 : bool) -> f32
+fn warp_seen_from_0( _S1201 : u32,  _S1202 : vec3<f32>,  _S1203 : bool) -> f32
 {
     var terms_7 : array<f32, i32(6)>;
-    view_terms_1(_S1187, &(terms_7));
+    view_terms_1(_S1202, &(terms_7));
     var term_3 : u32 = u32(0);
     var share_6 : f32 = 0.0f;
     for(;;)
@@ -4310,138 +4350,143 @@ fn warp_seen_from_0( _S1186 : u32,  _S1187 : vec3<f32>,  _S1188 : bool) -> f32
         {
             break;
         }
-        var share_7 : f32 = share_6 + openness_number_0(_S1186, u32(132) + select(u32(0), u32(5), _S1188) + term_3) * terms_7[term_3];
+        var share_7 : f32 = share_6 + openness_number_0(_S1201, u32(132) + select(u32(0), u32(5), _S1203) + term_3) * terms_7[term_3];
         term_3 = term_3 + u32(1);
         share_6 = share_7;
     }
     return saturate(share_6);
 }
 
-fn bounced_of_families_0( _S1189 : u32,  _S1190 : FamilyAlbedos_0,  _S1191 : vec3<f32>,  _S1192 : Interior_0,  _S1193 : Blocked_0,  _S1194 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S1204 : u32,  _S1205 : FamilyAlbedos_0,  _S1206 : vec3<f32>,  _S1207 : Interior_0,  _S1208 : Blocked_0,  _S1209 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S1193, scattered_by_0(_S1189, _S1190.warp_6, u32(0), _S1191), _S1192), bounced_by_0(_S1194, scattered_by_0(_S1189, _S1190.weft_6, u32(1), _S1191), _S1192));
+    return sum_of_0(bounced_by_0(_S1208, scattered_by_0(_S1204, _S1205.warp_6, u32(0), _S1206), _S1207), bounced_by_0(_S1209, scattered_by_0(_S1204, _S1205.weft_6, u32(1), _S1206), _S1207));
 }
 
-fn bounced_far_0( _S1195 : u32,  _S1196 : FamilyAlbedos_0,  _S1197 : vec3<f32>,  _S1198 : Interior_0,  _S1199 : vec3<f32>,  _S1200 : bool,  _S1201 : f32,  _S1202 : f32,  _S1203 : f32) -> Bounced_0
+fn bounced_far_0( _S1210 : u32,  _S1211 : FamilyAlbedos_0,  _S1212 : vec3<f32>,  _S1213 : Interior_0,  _S1214 : vec3<f32>,  _S1215 : bool,  _S1216 : f32,  _S1217 : f32,  _S1218 : f32) -> Bounced_0
 {
-    var _S1204 : Blocked_0 = blocked_from_0(_S1195, _S1199, true, _S1200);
-    var _S1205 : Blocked_0 = blocked_from_0(_S1195, _S1199, false, _S1200);
-    var _S1206 : f32 = _S1201 / max(1.0f - _S1204.by_warp_0 - _S1204.by_weft_0, 0.10000000149011612f);
-    var _S1207 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1195, _S1199, _S1200) + _S1206) / (_S1206 + _S1202 / max(1.0f - _S1205.by_warp_0 - _S1205.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S1208 : f32 = 1.0f - _S1203;
-    return bounced_of_families_0(_S1195, _S1196, _S1197, _S1198, scaled_0(_S1204, _S1207 * _S1208), scaled_0(_S1205, (1.0f - _S1207) * _S1208));
+    var _S1219 : Blocked_0 = blocked_from_0(_S1210, _S1214, true, _S1215);
+    var _S1220 : Blocked_0 = blocked_from_0(_S1210, _S1214, false, _S1215);
+    var _S1221 : f32 = _S1216 / max(1.0f - _S1219.by_warp_0 - _S1219.by_weft_0, 0.10000000149011612f);
+    var _S1222 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1210, _S1214, _S1215) + _S1221) / (_S1221 + _S1217 / max(1.0f - _S1220.by_warp_0 - _S1220.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S1223 : f32 = 1.0f - _S1218;
+    return bounced_of_families_0(_S1210, _S1211, _S1212, _S1213, scaled_0(_S1219, _S1222 * _S1223), scaled_0(_S1220, (1.0f - _S1222) * _S1223));
 }
 
-fn bounced_over_0( _S1209 : u32,  _S1210 : Components_0,  _S1211 : CloseUp_0,  _S1212 : FamilyAlbedos_0,  _S1213 : vec3<f32>,  _S1214 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S1224 : u32,  _S1225 : Components_0,  _S1226 : CloseUp_0,  _S1227 : FamilyAlbedos_0,  _S1228 : vec3<f32>,  _S1229 : vec3<f32>) -> Bounced_0
 {
-    var _S1215 : bool = (_S1214.z) < 0.0f;
-    var _S1216 : Interior_0 = interior_of_0(_S1209, _S1213, _S1215);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S1209, _S1212, _S1213, _S1216, to_face_frame_0(_S1214, _S1215), _S1215, _S1210.diffuse_warp_0, _S1210.diffuse_weft_0, _S1210.hole_2);
-    if((_S1211.weight_0) > 0.0f)
+    var _S1230 : bool = (_S1229.z) < 0.0f;
+    var _S1231 : Interior_0 = interior_of_0(_S1224, _S1228, _S1230);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S1224, _S1227, _S1228, _S1231, to_face_frame_0(_S1229, _S1230), _S1230, _S1225.diffuse_warp_0, _S1225.diffuse_weft_0, _S1225.hole_2);
+    if((_S1226.weight_0) > 0.0f)
     {
-        var _S1217 : Bounced_0 = bounced_of_families_0(_S1209, _S1212, _S1213, _S1216, _S1211.warp_1, _S1211.weft_1);
-        var _S1218 : vec3<f32> = vec3<f32>(_S1211.weight_0);
-        bounced_2.reflected_2 = mix(bounced_2.reflected_2, _S1217.reflected_2, _S1218);
-        bounced_2.transmitted_2 = mix(bounced_2.transmitted_2, _S1217.transmitted_2, _S1218);
+        var _S1232 : Bounced_0 = bounced_of_families_0(_S1224, _S1227, _S1228, _S1231, _S1226.warp_1, _S1226.weft_1);
+        var _S1233 : vec3<f32> = vec3<f32>(_S1226.weight_0);
+        bounced_2.reflected_2 = mix(bounced_2.reflected_2, _S1232.reflected_2, _S1233);
+        bounced_2.transmitted_2 = mix(bounced_2.transmitted_2, _S1232.transmitted_2, _S1233);
     }
     return bounced_2;
 }
 
-fn composed_before_0( _S1219 : u32,  _S1220 : Components_0,  _S1221 : CloseUp_0,  _S1222 : FamilyAlbedos_0,  _S1223 : LayersBehind_0,  _S1224 : vec3<f32>,  _S1225 : vec3<f32>,  _S1226 : vec3<f32>) -> vec3<f32>
+fn composed_before_0( _S1234 : u32,  _S1235 : Components_0,  _S1236 : CloseUp_0,  _S1237 : FamilyAlbedos_0,  _S1238 : FamilyAlbedos_0,  _S1239 : LayersBehind_0,  _S1240 : vec3<f32>,  _S1241 : vec3<f32>,  _S1242 : vec3<f32>) -> vec3<f32>
 {
-    var _S1227 : Albedos_0 = towards_grazing_0(_S1219, tinted_0(_S1222.warp_6, _S1224), _S1225, _S1226);
-    var _S1228 : Albedos_0 = towards_grazing_0(_S1219, tinted_0(_S1222.weft_6, _S1224), _S1225, _S1226);
-    var _S1229 : vec3<f32> = vec3<f32>(_S1220.diffuse_warp_0);
-    var _S1230 : vec3<f32> = vec3<f32>(_S1220.diffuse_weft_0);
-    var _S1231 : vec3<f32> = vec3<f32>(_S1220.specular_warp_0);
-    var _S1232 : vec3<f32> = vec3<f32>(_S1220.specular_weft_0);
-    var _S1233 : vec3<f32> = _S1227.diffuse_reflect_0 * _S1229 + _S1228.diffuse_reflect_0 * _S1230 + _S1227.specular_reflect_0 * _S1231 + _S1228.specular_reflect_0 * _S1232;
-    var _S1234 : f32 = _S1225.z;
-    var _S1235 : f32 = _S1226.z;
-    var _S1236 : bool = (_S1234 * _S1235) < 0.0f;
+    var _S1243 : Albedos_0 = towards_grazing_0(_S1234, tinted_0(_S1237.warp_6, _S1240), _S1241, _S1242);
+    var _S1244 : Albedos_0 = towards_grazing_0(_S1234, tinted_0(_S1237.weft_6, _S1240), _S1241, _S1242);
+    var _S1245 : vec3<f32> = vec3<f32>(_S1235.diffuse_warp_0);
+    var _S1246 : vec3<f32> = vec3<f32>(_S1235.diffuse_weft_0);
+    var _S1247 : vec3<f32> = vec3<f32>(_S1235.specular_warp_0);
+    var _S1248 : vec3<f32> = vec3<f32>(_S1235.specular_weft_0);
+    var _S1249 : vec3<f32> = _S1243.diffuse_reflect_0 * _S1245 + _S1244.diffuse_reflect_0 * _S1246 + _S1243.specular_reflect_0 * _S1247 + _S1244.specular_reflect_0 * _S1248;
+    var _S1250 : f32 = _S1241.z;
+    var _S1251 : f32 = _S1242.z;
+    var _S1252 : bool = (_S1250 * _S1251) < 0.0f;
     var body_0 : vec3<f32>;
-    if(_S1236)
+    if(_S1252)
     {
-        body_0 = _S1227.diffuse_transmit_0 * _S1229 + _S1228.diffuse_transmit_0 * _S1230 + _S1227.specular_transmit_0 * _S1231 + _S1228.specular_transmit_0 * _S1232;
+        body_0 = _S1243.diffuse_transmit_0 * _S1245 + _S1244.diffuse_transmit_0 * _S1246 + _S1243.specular_transmit_0 * _S1247 + _S1244.specular_transmit_0 * _S1248;
     }
     else
     {
-        body_0 = _S1233;
+        body_0 = _S1249;
     }
-    if((fabrics_0[_S1219].openness_0) != u32(4294967295))
+    if((fabrics_0[_S1234].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1219, _S1220, _S1221, _S1222, _S1224, _S1226), _S1225, _S1226) * vec3<f32>(diffuse_kept_0(_S1219, _S1225, _S1226));
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1234, _S1235, _S1236, _S1238, _S1240, _S1242), _S1241, _S1242) * vec3<f32>(diffuse_kept_0(_S1234, _S1241, _S1242));
     }
-    if(is_layered_0(_S1219))
+    if(is_layered_0(_S1234))
     {
-        body_0 = body_0 + _S1224 * select_vector_1(_S1236, _S1223.transmitted_0, _S1223.reflected_0) * vec3<f32>((abs(_S1234) * 0.31830987334251404f)) * vec3<f32>(diffuse_kept_0(_S1219, _S1225, _S1226));
+        body_0 = body_0 + _S1240 * select_vector_1(_S1252, _S1239.transmitted_0, _S1239.reflected_0) * vec3<f32>((abs(_S1250) * 0.31830987334251404f)) * vec3<f32>(diffuse_kept_0(_S1234, _S1241, _S1242));
     }
-    var _S1237 : f32 = fabrics_0[_S1219].sheen_strength_0;
-    if((fabrics_0[_S1219].sheen_strength_0) <= 0.0f)
+    var _S1253 : f32 = fabrics_0[_S1234].sheen_strength_0;
+    if((fabrics_0[_S1234].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S1238 : bool = _S1235 < 0.0f;
-    var _S1239 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1225, _S1238), to_face_frame_0(_S1226, _S1238), _S1237, fabrics_0[_S1219].sheen_roughness_0);
-    return vec3<f32>(_S1239.y) * body_0 + vec3<f32>(((_S1220.light_visibility_1 + _S1220.hole_2) * _S1239.x));
+    var _S1254 : bool = _S1251 < 0.0f;
+    var _S1255 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1241, _S1254), to_face_frame_0(_S1242, _S1254), _S1253, fabrics_0[_S1234].sheen_roughness_0);
+    return vec3<f32>(_S1255.y) * body_0 + vec3<f32>(((_S1235.light_visibility_1 + _S1235.hole_2) * _S1255.x));
 }
 
-fn light_of_footprint_0( _S1240 : u32,  _S1241 : VisiblePoint_0,  _S1242 : vec2<u32>,  _S1243 : vec3<f32>) -> vec4<f32>
+fn composed_estimate_0( _S1256 : u32,  _S1257 : Estimate_0,  _S1258 : vec3<f32>,  _S1259 : vec3<f32>,  _S1260 : vec3<f32>) -> vec3<f32>
+{
+    return composed_before_0(_S1256, _S1257.components_0, _S1257.close_0, _S1257.albedos_14, _S1257.means_4, _S1257.behind_4, _S1258, _S1259, _S1260);
+}
+
+fn light_of_footprint_0( _S1261 : u32,  _S1262 : VisiblePoint_0,  _S1263 : vec2<u32>,  _S1264 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.dx_0 = _S1241.draft_dx_0;
-    footprint_0.dy_0 = _S1241.draft_dy_0;
-    footprint_0.centre_0 = irregular_place_0(_S1240, _S1241.draft_0, Footprint_spread_side_0(footprint_0));
-    var _S1244 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S1245 : vec3<f32> = to_local_0(_S1241, _S1241.view_0);
-    var _S1246 : u32 = light_sample_count_0();
-    var _S1247 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.dx_0 = _S1262.draft_dx_0;
+    footprint_0.dy_0 = _S1262.draft_dy_0;
+    footprint_0.centre_0 = irregular_place_0(_S1261, _S1262.draft_0, Footprint_spread_side_0(footprint_0));
+    var _S1265 : vec2<f32> = fract(vec2<f32>(f32(((frame_record_0.pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S1266 : vec3<f32> = to_local_0(_S1262, _S1262.view_0);
+    var _S1267 : u32 = light_sample_count_0();
+    var _S1268 : vec3<f32> = vec3<f32>(0.0f);
     var number_16 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S1247;
+    var radiance_1 : vec3<f32> = _S1268;
     var hole_8 : f32 = 0.0f;
     for(;;)
     {
-        if(number_16 < (max(_S1246, u32(1))))
+        if(number_16 < (max(_S1267, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S1248 : f32;
-        if(number_16 < _S1246)
+        var _S1269 : f32;
+        if(number_16 < _S1267)
         {
-            _S1248 = visibility_at_0(number_16, _S1242);
+            _S1269 = visibility_at_0(number_16, _S1263);
         }
         else
         {
-            _S1248 = 0.0f;
+            _S1269 = 0.0f;
         }
-        var _S1249 : bool;
-        if(_S1248 <= 0.0f)
+        var _S1270 : bool;
+        if(_S1269 <= 0.0f)
         {
-            _S1249 = number_16 > u32(0);
+            _S1270 = number_16 > u32(0);
         }
         else
         {
-            _S1249 = false;
+            _S1270 = false;
         }
-        if(_S1249)
+        if(_S1270)
         {
             number_16 = number_16 + u32(1);
             continue;
         }
-        var _S1250 : LightSample_0 = light_sample_0(number_16, _S1242, _S1241.position_4);
-        var _S1251 : vec3<f32> = to_local_0(_S1241, _S1250.towards_0);
-        var _S1252 : Estimate_0 = lobes_estimate_of_pass_0(_S1240, footprint_0, 1.0f, _S1244, _S1251, _S1245);
-        radiance_1 = radiance_1 + vec3<f32>(_S1248) * _S1250.irradiance_1 * composed_before_0(_S1240, _S1252.components_0, _S1252.close_0, _S1252.albedos_14, _S1252.behind_4, _S1243, _S1251, _S1245);
-        hole_8 = _S1252.components_0.hole_2;
+        var _S1271 : LightSample_0 = light_sample_0(number_16, _S1263, _S1262.position_4);
+        var _S1272 : vec3<f32> = to_local_0(_S1262, _S1271.towards_0);
+        var _S1273 : Estimate_0 = lobes_estimate_of_pass_0(_S1261, footprint_0, 1.0f, _S1265, _S1272, _S1266);
+        radiance_1 = radiance_1 + vec3<f32>(_S1269) * _S1271.irradiance_1 * composed_estimate_0(_S1261, _S1273, _S1264, _S1272, _S1266);
+        hole_8 = _S1273.components_0.hole_2;
         number_16 = number_16 + u32(1);
     }
-    var _S1253 : f32 = fabrics_0[_S1240].sheen_strength_0;
-    if((fabrics_0[_S1240].sheen_strength_0) > 0.0f)
+    var _S1274 : f32 = fabrics_0[_S1261].sheen_strength_0;
+    if((fabrics_0[_S1261].sheen_strength_0) > 0.0f)
     {
-        hole_8 = hole_8 * (1.0f - _S1253 * sheen_lobe_0(abs(_S1245.z), fabrics_0[_S1240].sheen_roughness_0).z);
+        hole_8 = hole_8 * (1.0f - _S1274 * sheen_lobe_0(abs(_S1266.z), fabrics_0[_S1261].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_8);
 }
@@ -4450,32 +4495,32 @@ fn light_of_footprint_0( _S1240 : u32,  _S1241 : VisiblePoint_0,  _S1242 : vec2<
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S1254 : u32 = id_0.x;
-    var _S1255 : bool;
-    if(_S1254 >= (frame_record_0.width_0))
+    var _S1275 : u32 = id_0.x;
+    var _S1276 : bool;
+    if(_S1275 >= (frame_record_0.width_0))
     {
-        _S1255 = true;
+        _S1276 = true;
     }
     else
     {
-        _S1255 = (id_0.y) >= (frame_record_0.height_0);
+        _S1276 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S1255)
+    if(_S1276)
     {
         return;
     }
-    var _S1256 : u32 = id_0.y * frame_record_0.width_0 + _S1254;
-    var _S1257 : u32 = layers_0[_S1256].face_0;
-    if((layers_0[_S1256].face_0) == u32(0))
+    var _S1277 : u32 = id_0.y * frame_record_0.width_0 + _S1275;
+    var _S1278 : u32 = layers_0[_S1277].face_0;
+    if((layers_0[_S1277].face_0) == u32(0))
     {
         return;
     }
-    var _S1258 : u32 = _S1257 - u32(1);
-    var _S1259 : u32 = fabric_of_0(_S1258);
-    var _S1260 : vec2<u32> = id_0.xy;
-    var _S1261 : VisiblePoint_0 = visible_point_0(_S1259, _S1258, _S1260);
-    var _S1262 : vec4<f32> = light_of_footprint_0(_S1259, _S1261, _S1260, filtered_albedo_0(_S1259, _S1261));
-    accumulate_0(_S1256, _S1262);
+    var _S1279 : u32 = _S1278 - u32(1);
+    var _S1280 : u32 = fabric_of_0(_S1279);
+    var _S1281 : vec2<u32> = id_0.xy;
+    var _S1282 : VisiblePoint_0 = visible_point_0(_S1280, _S1279, _S1281);
+    var _S1283 : vec4<f32> = light_of_footprint_0(_S1280, _S1282, _S1281, filtered_albedo_0(_S1280, _S1282));
+    accumulate_0(_S1277, _S1283);
     return;
 }
 

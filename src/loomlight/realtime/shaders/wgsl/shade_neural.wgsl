@@ -2348,13 +2348,15 @@ fn LayersBehind_x24init_0( reflected_1 : vec3<f32>,  transmitted_1 : vec3<f32>) 
 struct LayeredAlbedos_0
 {
      albedos_0 : FamilyAlbedos_0,
+     means_0 : FamilyAlbedos_0,
      behind_0 : LayersBehind_0,
 };
 
-fn LayeredAlbedos_x24init_0( albedos_1 : FamilyAlbedos_0,  behind_1 : LayersBehind_0) -> LayeredAlbedos_0
+fn LayeredAlbedos_x24init_0( albedos_1 : FamilyAlbedos_0,  means_1 : FamilyAlbedos_0,  behind_1 : LayersBehind_0) -> LayeredAlbedos_0
 {
     var _S329 : LayeredAlbedos_0;
     _S329.albedos_0 = albedos_1;
+    _S329.means_0 = means_1;
     _S329.behind_0 = behind_1;
     return _S329;
 }
@@ -2362,15 +2364,21 @@ fn LayeredAlbedos_x24init_0( albedos_1 : FamilyAlbedos_0,  behind_1 : LayersBehi
 struct LayerSums_0
 {
      albedos_2 : Albedos_0,
+     means_2 : Albedos_0,
      weight_2 : f32,
+     lit_0 : f32,
+     passed_0 : f32,
      behind_2 : LayersBehind_0,
 };
 
-fn LayerSums_x24init_0( albedos_3 : Albedos_0,  weight_3 : f32,  behind_3 : LayersBehind_0) -> LayerSums_0
+fn LayerSums_x24init_0( albedos_3 : Albedos_0,  means_3 : Albedos_0,  weight_3 : f32,  lit_1 : f32,  passed_1 : f32,  behind_3 : LayersBehind_0) -> LayerSums_0
 {
     var _S330 : LayerSums_0;
     _S330.albedos_2 = albedos_3;
+    _S330.means_2 = means_3;
     _S330.weight_2 = weight_3;
+    _S330.lit_0 = lit_1;
+    _S330.passed_0 = passed_1;
     _S330.behind_2 = behind_3;
     return _S330;
 }
@@ -2565,7 +2573,7 @@ fn albedos_in_0( plane_4 : Plane_0,  centre_3 : vec2<f32>,  size_4 : vec2<f32>, 
     return albedos_7;
 }
 
-fn rate_terms_0( direction_3 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(6)>>)
+fn rate_terms_0( direction_3 : vec3<f32>,  terms_0 : ptr<function, array<f32, i32(7)>>)
 {
     var _S372 : f32 = 1.0f - direction_3.z;
     var _S373 : f32 = _S372 * _S372;
@@ -2574,23 +2582,25 @@ fn rate_terms_0( direction_3 : vec3<f32>,  terms_0 : ptr<function, array<f32, i3
     var _S376 : f32 = direction_3.y;
     var _S377 : f32 = _S376 * _S376;
     var _S378 : f32 = _S375 - _S377;
-    (*terms_0)[i32(0)] = sqrt(_S375 + _S377);
-    (*terms_0)[i32(1)] = _S373;
-    (*terms_0)[i32(2)] = _S373 * _S373;
-    (*terms_0)[i32(3)] = _S378;
-    (*terms_0)[i32(4)] = _S374 * _S376;
-    (*terms_0)[i32(5)] = _S378 * _S378;
+    var _S379 : f32 = _S375 + _S377;
+    (*terms_0)[i32(1)] = _S379;
+    (*terms_0)[i32(0)] = sqrt(_S379);
+    (*terms_0)[i32(2)] = _S373;
+    (*terms_0)[i32(3)] = _S373 * _S373;
+    (*terms_0)[i32(4)] = _S378;
+    (*terms_0)[i32(5)] = _S374 * _S376;
+    (*terms_0)[i32(6)] = _S378 * _S378;
     return;
 }
 
-fn rate_of_view_0( first_25 : u32,  terms_1 : array<f32, i32(6)>) -> f32
+fn rate_of_view_0( first_25 : u32,  terms_1 : array<f32, i32(7)>) -> f32
 {
-    var _S379 : f32 = table_number_0(first_25);
+    var _S380 : f32 = table_number_0(first_25);
     var term_0 : u32 = u32(0);
-    var total_0 : f32 = _S379;
+    var total_0 : f32 = _S380;
     for(;;)
     {
-        if(term_0 < u32(6))
+        if(term_0 < u32(7))
         {
         }
         else
@@ -2604,23 +2614,22 @@ fn rate_of_view_0( first_25 : u32,  terms_1 : array<f32, i32(6)>) -> f32
     return total_0;
 }
 
-fn rate_of_light_0( first_26 : u32,  terms_2 : array<f32, i32(6)>,  both_0 : vec2<f32>) -> f32
+fn rate_of_light_0( first_26 : u32,  terms_2 : array<f32, i32(7)>,  both_0 : f32) -> f32
 {
-    var _S380 : u32 = first_26 + u32(8);
-    var _S381 : u32 = _S380 + u32(6);
-    var _S382 : f32 = table_number_0(_S381) * both_0.x + table_number_0(_S381 + u32(1)) * both_0.y;
+    var _S381 : u32 = first_26 + u32(8);
+    var _S382 : f32 = table_number_0(_S381 + u32(7)) * both_0;
     var term_1 : u32 = u32(0);
     var total_2 : f32 = _S382;
     for(;;)
     {
-        if(term_1 < u32(6))
+        if(term_1 < u32(7))
         {
         }
         else
         {
             break;
         }
-        var total_3 : f32 = total_2 + table_number_0(_S380 + term_1) * terms_2[term_1];
+        var total_3 : f32 = total_2 + table_number_0(_S381 + term_1) * terms_2[term_1];
         term_1 = term_1 + u32(1);
         total_2 = total_3;
     }
@@ -2632,55 +2641,62 @@ fn rate_of_0( logarithm_0 : f32) -> f32
     return exponential_0(clamp(logarithm_0, -30.0f, 3.0f));
 }
 
-fn with_layer_0( sums_9 : Albedos_0,  albedos_8 : Albedos_0,  lit_0 : f32,  passed_0 : f32) -> Albedos_0
+fn with_layer_0( sums_9 : Albedos_0,  albedos_8 : Albedos_0,  lit_2 : f32,  passed_2 : vec3<f32>) -> Albedos_0
 {
     var result_0 : Albedos_0;
-    var _S383 : vec3<f32> = vec3<f32>(lit_0);
+    var _S383 : vec3<f32> = vec3<f32>(lit_2);
     result_0.diffuse_reflect_0 = sums_9.diffuse_reflect_0 + _S383 * albedos_8.diffuse_reflect_0;
-    var _S384 : vec3<f32> = vec3<f32>(passed_0);
-    result_0.diffuse_transmit_0 = sums_9.diffuse_transmit_0 + _S384 * albedos_8.diffuse_transmit_0;
+    result_0.diffuse_transmit_0 = sums_9.diffuse_transmit_0 + passed_2 * albedos_8.diffuse_transmit_0;
     result_0.specular_reflect_0 = sums_9.specular_reflect_0 + _S383 * albedos_8.specular_reflect_0;
-    result_0.specular_transmit_0 = sums_9.specular_transmit_0 + _S384 * albedos_8.specular_transmit_0;
+    result_0.specular_transmit_0 = sums_9.specular_transmit_0 + passed_2 * albedos_8.specular_transmit_0;
     return result_0;
 }
 
 fn with_seen_0( sums_10 : LayerSums_0,  albedos_9 : Albedos_0,  through_0 : f32,  first_27 : u32,  share_2 : f32,  alone_0 : f32,  light_1 : vec3<f32>,  view_1 : vec3<f32>) -> LayerSums_0
 {
-    var of_view_0 : array<f32, i32(6)>;
+    var of_view_0 : array<f32, i32(7)>;
     rate_terms_0(view_1, &(of_view_0));
-    var _S385 : f32 = light_1.x;
-    var _S386 : f32 = light_1.y;
-    var _S387 : f32 = light_1.z;
-    var of_light_0 : array<f32, i32(6)>;
-    rate_terms_0(vec3<f32>(_S385, _S386, abs(_S387)), &(of_light_0));
-    var _S388 : vec2<f32> = vec2<f32>(_S385 * view_1.x, _S386 * view_1.y);
-    var _S389 : bool = _S387 < 0.0f;
-    var _S390 : u32 = first_27 + u32(16) * select(u32(0), u32(1), _S389);
-    var _S391 : u32 = first_27 + u32(32);
-    var _S392 : f32 = share_2 * alone_0;
-    var _S393 : f32 = _S392 * rate_of_0(rate_of_view_0(_S390, of_view_0) + rate_of_light_0(_S390, of_light_0, _S388));
-    var _S394 : f32 = _S392 * rate_of_0(rate_of_view_0(_S391, of_view_0) + rate_of_light_0(_S391, of_light_0, _S388));
-    var _S395 : f32 = share_2 * rate_of_0(rate_of_view_0(first_27 + u32(48), of_view_0));
-    var _S396 : u32 = first_27 + u32(64);
-    var _S397 : vec3<f32> = vec3<f32>(table_number_0(_S396), table_number_0(_S396 + u32(1)), table_number_0(_S396 + u32(2)));
-    var _S398 : vec3<f32> = vec3<f32>(table_number_0(_S396 + u32(3)), table_number_0(_S396 + u32(4)), table_number_0(_S396 + u32(5)));
+    var _S384 : f32 = light_1.x;
+    var _S385 : f32 = light_1.y;
+    var _S386 : f32 = light_1.z;
+    var of_light_0 : array<f32, i32(7)>;
+    rate_terms_0(vec3<f32>(_S384, _S385, abs(_S386)), &(of_light_0));
+    var _S387 : f32 = _S384 * view_1.x + _S385 * view_1.y;
+    var _S388 : bool = _S386 < 0.0f;
+    var _S389 : u32 = first_27 + u32(16) * select(u32(0), u32(1), _S388);
+    var _S390 : u32 = first_27 + u32(32);
+    var _S391 : f32 = share_2 * alone_0;
+    var _S392 : f32 = _S391 * rate_of_0(rate_of_view_0(_S389, of_view_0) + rate_of_light_0(_S389, of_light_0, _S387));
+    var _S393 : f32 = _S391 * rate_of_0(rate_of_view_0(_S390, of_view_0) + rate_of_light_0(_S390, of_light_0, _S387));
+    var _S394 : f32 = share_2 * rate_of_0(rate_of_view_0(first_27 + u32(48), of_view_0));
+    var _S395 : u32 = first_27 + u32(64);
+    var _S396 : vec3<f32> = vec3<f32>(table_number_0(_S395), table_number_0(_S395 + u32(1)), table_number_0(_S395 + u32(2)));
+    var _S397 : vec3<f32> = vec3<f32>(table_number_0(_S395 + u32(3)), table_number_0(_S395 + u32(4)), table_number_0(_S395 + u32(5)));
+    var _S398 : f32 = _S391 * rate_of_0(rate_of_view_0(first_27, of_view_0));
+    var _S399 : f32 = _S391 * rate_of_0(rate_of_view_0(first_27 + u32(16), of_view_0));
+    var _S400 : f32 = _S391 * rate_of_0(rate_of_view_0(_S390, of_view_0));
     var result_1 : LayerSums_0;
-    result_1.albedos_2 = with_layer_0(sums_10.albedos_2, albedos_9, _S393, _S393);
-    result_1.weight_2 = sums_10.weight_2 + _S393 + select(0.0f, _S394, _S389);
-    var _S399 : vec3<f32> = vec3<f32>(_S395);
-    result_1.behind_2.reflected_0 = sums_10.behind_2.reflected_0 + _S399 * _S398;
-    result_1.behind_2.transmitted_0 = sums_10.behind_2.transmitted_0 + _S399 * _S397 * (albedos_9.diffuse_transmit_0 + vec3<f32>(through_0) * albedos_9.specular_transmit_0);
+    result_1.means_2 = with_layer_0(sums_10.means_2, albedos_9, _S398, vec3<f32>(_S399) + vec3<f32>(_S400) * _S396);
+    result_1.lit_0 = sums_10.lit_0 + _S398;
+    result_1.passed_0 = sums_10.passed_0 + _S399 + _S400;
+    result_1.albedos_2 = with_layer_0(sums_10.albedos_2, albedos_9, _S392, vec3<f32>(_S392));
+    result_1.weight_2 = sums_10.weight_2 + _S392 + select(0.0f, _S393, _S388);
+    var _S401 : vec3<f32> = vec3<f32>(_S394);
+    result_1.behind_2.reflected_0 = sums_10.behind_2.reflected_0 + _S401 * _S397;
+    result_1.behind_2.transmitted_0 = sums_10.behind_2.transmitted_0 + _S401 * _S396 * (albedos_9.diffuse_transmit_0 + vec3<f32>(through_0) * albedos_9.specular_transmit_0);
     return result_1;
 }
 
-fn divided_0( sums_11 : Albedos_0,  weight_6 : f32) -> Albedos_0
+fn divided_0( sums_11 : Albedos_0,  lit_3 : f32,  passed_3 : f32) -> Albedos_0
 {
+    var _S402 : f32 = 1.0f / max(passed_3, 9.99999971718068537e-10f);
     var result_2 : Albedos_0;
-    var _S400 : vec3<f32> = vec3<f32>((1.0f / max(weight_6, 9.99999971718068537e-10f)));
-    result_2.diffuse_reflect_0 = sums_11.diffuse_reflect_0 * _S400;
-    result_2.diffuse_transmit_0 = sums_11.diffuse_transmit_0 * _S400;
-    result_2.specular_reflect_0 = sums_11.specular_reflect_0 * _S400;
-    result_2.specular_transmit_0 = sums_11.specular_transmit_0 * _S400;
+    var _S403 : vec3<f32> = vec3<f32>((1.0f / max(lit_3, 9.99999971718068537e-10f)));
+    result_2.diffuse_reflect_0 = sums_11.diffuse_reflect_0 * _S403;
+    var _S404 : vec3<f32> = vec3<f32>(_S402);
+    result_2.diffuse_transmit_0 = sums_11.diffuse_transmit_0 * _S404;
+    result_2.specular_reflect_0 = sums_11.specular_reflect_0 * _S403;
+    result_2.specular_transmit_0 = sums_11.specular_transmit_0 * _S404;
     return result_2;
 }
 
@@ -2691,9 +2707,9 @@ fn uniform_hash_0( thread_9 : u32,  cell_10 : u32,  stream_1 : u32) -> f32
 
 fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_5 : u32,  stream_2 : u32) -> vec2<f32>
 {
-    var _S401 : u32 = pixel_0.x;
-    var _S402 : u32 = pixel_0.y;
-    return fract(vec2<f32>(uniform_hash_0(_S401, _S402, stream_2), uniform_hash_0(_S401, _S402, stream_2 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S405 : u32 = pixel_0.x;
+    var _S406 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S405, _S406, stream_2), uniform_hash_0(_S405, _S406, stream_2 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
 }
 
 fn scene_number_0( index_6 : u32) -> f32
@@ -2720,22 +2736,22 @@ fn choose_0( table_0 : u32,  count_3 : u32,  number_6 : f32) -> Choice_0
         {
             break;
         }
-        var _S403 : u32 = (low_8 + high_8) / u32(2);
-        if((scene_number_0(table_0 + _S403)) <= number_6)
+        var _S407 : u32 = (low_8 + high_8) / u32(2);
+        if((scene_number_0(table_0 + _S407)) <= number_6)
         {
-            low_8 = _S403;
+            low_8 = _S407;
         }
         else
         {
-            high_8 = _S403;
+            high_8 = _S407;
         }
     }
-    var _S404 : u32 = table_0 + low_8;
-    var _S405 : f32 = scene_number_0(_S404);
-    var _S406 : f32 = scene_number_0(_S404 + u32(1));
+    var _S408 : u32 = table_0 + low_8;
+    var _S409 : f32 = scene_number_0(_S408);
+    var _S410 : f32 = scene_number_0(_S408 + u32(1));
     var choice_0 : Choice_0;
     choice_0.index_7 = low_8;
-    choice_0.remainder_0 = saturate((number_6 - _S405) / max(_S406 - _S405, 9.999999960041972e-13f));
+    choice_0.remainder_0 = saturate((number_6 - _S409) / max(_S410 - _S409, 9.999999960041972e-13f));
     return choice_0;
 }
 
@@ -2746,16 +2762,16 @@ fn mean_0( colour_0 : vec3<f32>) -> f32
 
 fn sine_cosine_0( x_11 : f32) -> vec2<f32>
 {
-    var _S407 : f32 = floor(x_11 * 0.63661974668502808f + 0.5f);
-    var _S408 : f32 = x_11 - _S407 * 1.5703125f - _S407 * 0.00048375129699707f - _S407 * 7.54979012640433211e-08f;
-    var _S409 : f32 = _S408 * _S408;
-    var _S410 : f32 = ((-0.00019515295571182f * _S409 + 0.00833216123282909f) * _S409 - 0.16666655242443085f) * _S409 * _S408 + _S408;
-    var _S411 : f32 = ((0.00002443315679557f * _S409 - 0.00138873164542019f) * _S409 + 0.04166664555668831f) * _S409 * _S409 - 0.5f * _S409 + 1.0f;
-    var _S412 : u32 = (u32(i32(_S407)) & (u32(3)));
-    var _S413 : vec2<f32> = select_vector_1(((_S412 & (u32(1)))) != u32(0), vec2<f32>(_S411, _S410), vec2<f32>(_S410, _S411));
-    var _S414 : f32 = _S413.x;
-    var _S415 : f32 = _S413.y;
-    return vec2<f32>(select(_S414, - _S414, ((_S412 & (u32(2)))) != u32(0)), select(_S415, - _S415, (((_S412 + u32(1)) & (u32(2)))) != u32(0)));
+    var _S411 : f32 = floor(x_11 * 0.63661974668502808f + 0.5f);
+    var _S412 : f32 = x_11 - _S411 * 1.5703125f - _S411 * 0.00048375129699707f - _S411 * 7.54979012640433211e-08f;
+    var _S413 : f32 = _S412 * _S412;
+    var _S414 : f32 = ((-0.00019515295571182f * _S413 + 0.00833216123282909f) * _S413 - 0.16666655242443085f) * _S413 * _S412 + _S412;
+    var _S415 : f32 = ((0.00002443315679557f * _S413 - 0.00138873164542019f) * _S413 + 0.04166664555668831f) * _S413 * _S413 - 0.5f * _S413 + 1.0f;
+    var _S416 : u32 = (u32(i32(_S411)) & (u32(3)));
+    var _S417 : vec2<f32> = select_vector_1(((_S416 & (u32(1)))) != u32(0), vec2<f32>(_S415, _S414), vec2<f32>(_S414, _S415));
+    var _S418 : f32 = _S417.x;
+    var _S419 : f32 = _S417.y;
+    return vec2<f32>(select(_S418, - _S418, ((_S416 & (u32(2)))) != u32(0)), select(_S419, - _S419, (((_S416 + u32(1)) & (u32(2)))) != u32(0)));
 }
 
 struct Light_0
@@ -2794,9 +2810,9 @@ fn mirrored_bundle_0( bundle_0 : u32) -> u32
 
 fn light_visibility_of_0( diffuse_0 : f32,  light_2 : vec3<f32>,  view_2 : vec3<f32>,  blend_0 : f32) -> f32
 {
-    var _S416 : f32 = max(abs(light_2.z), 0.00100000004749745f);
-    var _S417 : vec2<f32> = light_2.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S416, (0.59700000286102295f * _S416 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S417, view_2.xy) * rsqrt_0(max(dot(_S417, _S417), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    var _S420 : f32 = max(abs(light_2.z), 0.00100000004749745f);
+    var _S421 : vec2<f32> = light_2.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S420, (0.59700000286102295f * _S420 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S421, view_2.xy) * rsqrt_0(max(dot(_S421, _S421), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
 struct Blocked_0
@@ -2817,7 +2833,7 @@ fn no_blocked_0() -> Blocked_0
 
 struct CloseUp_0
 {
-     weight_7 : f32,
+     weight_6 : f32,
      warp_7 : Blocked_0,
      weft_7 : Blocked_0,
 };
@@ -2825,10 +2841,10 @@ struct CloseUp_0
 fn no_close_up_0() -> CloseUp_0
 {
     var nothing_1 : CloseUp_0;
-    nothing_1.weight_7 = 0.0f;
-    var _S418 : Blocked_0 = no_blocked_0();
-    nothing_1.warp_7 = _S418;
-    nothing_1.weft_7 = _S418;
+    nothing_1.weight_6 = 0.0f;
+    var _S422 : Blocked_0 = no_blocked_0();
+    nothing_1.warp_7 = _S422;
+    nothing_1.weft_7 = _S422;
     return nothing_1;
 }
 
@@ -2842,8 +2858,8 @@ fn tinted_0( albedos_10 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
 
 fn fourth_power_0( value_1 : f32) -> f32
 {
-    var _S419 : f32 = value_1 * value_1;
-    return _S419 * _S419;
+    var _S423 : f32 = value_1 * value_1;
+    return _S423 * _S423;
 }
 
 struct FaceRadiance_0
@@ -2865,49 +2881,49 @@ struct FaceSends_0
      blocks_weft_0 : f32,
 };
 
-fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_1 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
+fn face_radiance_0( sends_0 : FaceSends_0,  open_of_other_0 : f32,  passed_4 : vec3<f32>,  from_other_0 : vec3<f32>) -> FaceRadiance_0
 {
-    var _S420 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_1;
+    var _S424 : vec3<f32> = vec3<f32>((1.0f - open_of_other_0)) * passed_4;
     var found_0 : FaceRadiance_0;
-    var _S421 : vec3<f32> = sends_0.sky_warp_0 + _S420 * sends_0.crossing_warp_0;
-    found_0.warp_8 = _S421;
-    var _S422 : vec3<f32> = sends_0.sky_weft_0 + _S420 * sends_0.crossing_weft_0;
-    found_0.weft_8 = _S422;
-    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S421 + vec3<f32>(sends_0.blocks_weft_0) * _S422;
+    var _S425 : vec3<f32> = sends_0.sky_warp_0 + _S424 * sends_0.crossing_warp_0;
+    found_0.warp_8 = _S425;
+    var _S426 : vec3<f32> = sends_0.sky_weft_0 + _S424 * sends_0.crossing_weft_0;
+    found_0.weft_8 = _S426;
+    found_0.mean_1 = vec3<f32>(sends_0.blocks_warp_0) * _S425 + vec3<f32>(sends_0.blocks_weft_0) * _S426;
     found_0.leaked_0 = from_other_0;
     return found_0;
 }
 
 fn view_terms_0( view_3 : vec3<f32>,  terms_3 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S423 : f32 = 1.0f - view_3.z;
-    var _S424 : f32 = _S423 * _S423;
-    (*terms_3)[i32(0)] = 1.0f;
-    var _S425 : f32 = view_3.x;
-    var _S426 : f32 = _S425 * _S425;
-    var _S427 : f32 = view_3.y;
+    var _S427 : f32 = 1.0f - view_3.z;
     var _S428 : f32 = _S427 * _S427;
-    (*terms_3)[i32(1)] = sqrt(max(_S426 + _S428, 9.999999960041972e-13f));
-    (*terms_3)[i32(2)] = _S424;
-    (*terms_3)[i32(3)] = _S424 * _S424;
-    (*terms_3)[i32(4)] = _S426 - _S428;
+    (*terms_3)[i32(0)] = 1.0f;
+    var _S429 : f32 = view_3.x;
+    var _S430 : f32 = _S429 * _S429;
+    var _S431 : f32 = view_3.y;
+    var _S432 : f32 = _S431 * _S431;
+    (*terms_3)[i32(1)] = sqrt(max(_S430 + _S432, 9.999999960041972e-13f));
+    (*terms_3)[i32(2)] = _S428;
+    (*terms_3)[i32(3)] = _S428 * _S428;
+    (*terms_3)[i32(4)] = _S430 - _S432;
     (*terms_3)[i32(5)] = 0.0f;
     return;
 }
 
 fn view_terms_1( view_4 : vec3<f32>,  terms_4 : ptr<function, array<f32, i32(6)>>)
 {
-    var _S429 : f32 = 1.0f - view_4.z;
-    var _S430 : f32 = _S429 * _S429;
-    (*terms_4)[i32(0)] = 1.0f;
-    var _S431 : f32 = view_4.x;
-    var _S432 : f32 = _S431 * _S431;
-    var _S433 : f32 = view_4.y;
+    var _S433 : f32 = 1.0f - view_4.z;
     var _S434 : f32 = _S433 * _S433;
-    (*terms_4)[i32(1)] = sqrt(max(_S432 + _S434, 9.999999960041972e-13f));
-    (*terms_4)[i32(2)] = _S430;
-    (*terms_4)[i32(3)] = _S430 * _S430;
-    (*terms_4)[i32(4)] = _S432 - _S434;
+    (*terms_4)[i32(0)] = 1.0f;
+    var _S435 : f32 = view_4.x;
+    var _S436 : f32 = _S435 * _S435;
+    var _S437 : f32 = view_4.y;
+    var _S438 : f32 = _S437 * _S437;
+    (*terms_4)[i32(1)] = sqrt(max(_S436 + _S438, 9.999999960041972e-13f));
+    (*terms_4)[i32(2)] = _S434;
+    (*terms_4)[i32(3)] = _S434 * _S434;
+    (*terms_4)[i32(4)] = _S436 - _S438;
     (*terms_4)[i32(5)] = 0.0f;
     return;
 }
@@ -2945,11 +2961,11 @@ struct Interior_0
 
 fn bounced_by_0( blocked_1 : Blocked_0,  yarn_2 : Scattered_0,  interior_0 : Interior_0) -> Bounced_0
 {
-    var _S435 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
-    var _S436 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_1;
+    var _S439 : vec3<f32> = vec3<f32>((blocked_1.by_warp_0 + blocked_1.by_weft_0)) * interior_0.leaked_1;
+    var _S440 : vec3<f32> = vec3<f32>(blocked_1.far_0) * yarn_2.through_1;
     var bounced_0 : Bounced_0;
-    bounced_0.reflected_2 = yarn_2.back_9 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_9 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_9) + _S436 * interior_0.far_leaked_0;
-    bounced_0.transmitted_2 = _S436 * interior_0.far_1 + yarn_2.back_9 * _S435;
+    bounced_0.reflected_2 = yarn_2.back_9 * (vec3<f32>(blocked_1.by_warp_0) * interior_0.warp_9 + vec3<f32>(blocked_1.by_weft_0) * interior_0.weft_9) + _S440 * interior_0.far_leaked_0;
+    bounced_0.transmitted_2 = _S440 * interior_0.far_1 + yarn_2.back_9 * _S439;
     bounced_0.is_covered_0 = false;
     return bounced_0;
 }
@@ -2965,8 +2981,8 @@ fn sum_of_0( first_29 : Bounced_0,  second_2 : Bounced_0) -> Bounced_0
 
 fn bounced_value_0( bounced_1 : Bounced_0,  light_3 : vec3<f32>,  view_5 : vec3<f32>) -> vec3<f32>
 {
-    var _S437 : f32 = light_3.z;
-    return select_vector_2((_S437 * view_5.z) < 0.0f, bounced_1.transmitted_2, bounced_1.reflected_2) * vec3<f32>((abs(_S437) * 0.31830987334251404f));
+    var _S441 : f32 = light_3.z;
+    return select_vector_2((_S441 * view_5.z) < 0.0f, bounced_1.transmitted_2, bounced_1.reflected_2) * vec3<f32>((abs(_S441) * 0.31830987334251404f));
 }
 
 fn sheen_scale_0( x_13 : f32,  y_5 : f32) -> f32
@@ -2986,40 +3002,40 @@ fn sheen_reflectance_0( x_15 : f32,  y_7 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S438 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S439 : f32 = 2.0f * sqrt(_S438) - 1.0f;
-    var _S440 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S439, _S440), 0.00999999977648258f, 1.0f), clamp((1.0f - _S438) * sheen_shear_0(_S439, _S440), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S439, _S440), -60.0f, 60.0f))));
+    var _S442 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S443 : f32 = 2.0f * sqrt(_S442) - 1.0f;
+    var _S444 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S443, _S444), 0.00999999977648258f, 1.0f), clamp((1.0f - _S442) * sheen_shear_0(_S443, _S444), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S443, _S444), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_4 : vec3<f32>,  view_6 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
 {
-    var _S441 : f32 = light_4.z;
-    if(((_S441 <= 0.0f) | (((view_6.z) <= 0.0f))))
+    var _S445 : f32 = light_4.z;
+    if(((_S445 <= 0.0f) | (((view_6.z) <= 0.0f))))
     {
         return 0.0f;
     }
-    var _S442 : vec2<f32> = view_6.xy;
-    var _S443 : f32 = dot(_S442, _S442);
-    var _S444 : vec2<f32> = select_vector_1(_S443 > 9.99999968265522539e-21f, _S442 * vec2<f32>(rsqrt_0(max(_S443, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
-    var _S445 : f32 = scale_1 * dot(light_4.xy, _S444) + shear_0 * _S441;
-    var _S446 : f32 = scale_1 * (light_4.y * _S444.x - light_4.x * _S444.y);
-    var _S447 : f32 = _S445 * _S445 + _S446 * _S446 + _S441 * _S441;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S441 / max(_S447 * _S447, 9.99999968265522539e-21f);
+    var _S446 : vec2<f32> = view_6.xy;
+    var _S447 : f32 = dot(_S446, _S446);
+    var _S448 : vec2<f32> = select_vector_1(_S447 > 9.99999968265522539e-21f, _S446 * vec2<f32>(rsqrt_0(max(_S447, 9.99999968265522539e-21f))), vec2<f32>(1.0f, 0.0f));
+    var _S449 : f32 = scale_1 * dot(light_4.xy, _S448) + shear_0 * _S445;
+    var _S450 : f32 = scale_1 * (light_4.y * _S448.x - light_4.x * _S448.y);
+    var _S451 : f32 = _S449 * _S449 + _S450 * _S450 + _S445 * _S445;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S445 / max(_S451 * _S451, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_5 : vec3<f32>,  view_7 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
 {
-    var _S448 : vec3<f32> = sheen_lobe_0(view_7.z, roughness_2);
-    var _S449 : f32 = strength_0 * _S448.z;
-    return vec2<f32>(_S449 * transformed_cosine_0(light_5, view_7, _S448.x, _S448.y), 1.0f - _S449);
+    var _S452 : vec3<f32> = sheen_lobe_0(view_7.z, roughness_2);
+    var _S453 : f32 = strength_0 * _S452.z;
+    return vec2<f32>(_S453 * transformed_cosine_0(light_5, view_7, _S452.x, _S452.y), 1.0f - _S453);
 }
 
 fn accumulate_0( index_8 : u32,  light_6 : vec4<f32>)
 {
-    var _S450 : f32 = layers_0[index_8].share_0;
+    var _S454 : f32 = layers_0[index_8].share_0;
     radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_6;
-    layers_0[index_8].share_0 = _S450 * (1.0f - light_6.w);
+    layers_0[index_8].share_0 = _S454 * (1.0f - light_6.w);
     return;
 }
 
@@ -3043,152 +3059,152 @@ fn camera_origin_0() -> vec3<f32>
     return vec3<f32>(frame_record_0.origin_x_0, frame_record_0.origin_y_0, frame_record_0.origin_z_0);
 }
 
-fn uneven_shift_0( _S451 : u32,  _S452 : u32,  _S453 : u32,  _S454 : vec2<f32>) -> f32
+fn uneven_shift_0( _S455 : u32,  _S456 : u32,  _S457 : u32,  _S458 : vec2<f32>) -> f32
 {
-    var _S455 : f32 = families_0[_S453].period_0 / families_0[_S453].count_0;
-    var _S456 : u32 = hash_key_0(_S452, ((fabrics_0[_S451].seed_0) ^ (u32(625341585))));
-    var _S457 : vec2<f32> = vec2<f32>(_S454.x, _S454.y / 4.0f) / vec2<f32>(_S455);
-    return 0.20000000298023224f * sqrt(families_0[_S453].slub_0) * _S455 * (uneven_octave_0(_S456, _S457) * 0.66666668653488159f + uneven_octave_0(_S456 + u32(1), vec2<f32>(2.0f) * _S457 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
+    var _S459 : f32 = families_0[_S457].period_0 / families_0[_S457].count_0;
+    var _S460 : u32 = hash_key_0(_S456, ((fabrics_0[_S455].seed_0) ^ (u32(625341585))));
+    var _S461 : vec2<f32> = vec2<f32>(_S458.x, _S458.y / 4.0f) / vec2<f32>(_S459);
+    return 0.20000000298023224f * sqrt(families_0[_S457].slub_0) * _S459 * (uneven_octave_0(_S460, _S461) * 0.66666668653488159f + uneven_octave_0(_S460 + u32(1), vec2<f32>(2.0f) * _S461 + vec2<f32>(0.5f, 0.0f)) / 3.0f);
 }
 
-fn uneven_place_0( _S458 : u32,  _S459 : vec2<f32>) -> vec2<f32>
+fn uneven_place_0( _S462 : u32,  _S463 : vec2<f32>) -> vec2<f32>
 {
-    return select_vector_1((fabrics_0[_S458].has_detail_0) == u32(0), _S459, _S459 + vec2<f32>(uneven_shift_0(_S458, u32(0), fabrics_0[_S458].warp_0, _S459), uneven_shift_0(_S458, u32(1), fabrics_0[_S458].weft_0, _S459.yx)));
+    return select_vector_1((fabrics_0[_S462].has_detail_0) == u32(0), _S463, _S463 + vec2<f32>(uneven_shift_0(_S462, u32(0), fabrics_0[_S462].warp_0, _S463), uneven_shift_0(_S462, u32(1), fabrics_0[_S462].weft_0, _S463.yx)));
 }
 
-fn face_point_0( _S460 : u32,  _S461 : u32,  _S462 : f32,  _S463 : f32) -> VisiblePoint_0
+fn face_point_0( _S464 : u32,  _S465 : u32,  _S466 : f32,  _S467 : f32) -> VisiblePoint_0
 {
-    var _S464 : u32 = u32(3) * _S461;
-    var _S465 : Vertex_0 = vertex_at_0(_S464);
-    var _S466 : Vertex_0 = vertex_at_0(_S464 + u32(1));
-    var _S467 : Vertex_0 = vertex_at_0(_S464 + u32(2));
-    var _S468 : vec3<f32> = position_of_0(_S465);
-    var _S469 : vec3<f32> = position_of_0(_S466) - _S468;
-    var _S470 : vec3<f32> = position_of_0(_S467) - _S468;
-    var _S471 : f32 = _S466.u_0 - _S465.u_0;
-    var _S472 : f32 = _S466.v_0 - _S465.v_0;
-    var _S473 : vec2<f32> = vec2<f32>(_S471, _S472);
-    var _S474 : f32 = _S467.u_0 - _S465.u_0;
-    var _S475 : f32 = _S467.v_0 - _S465.v_0;
-    var _S476 : vec2<f32> = vec2<f32>(_S474, _S475);
-    var _S477 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S471 * _S475 - _S472 * _S474) < 0.0f));
-    var _S478 : vec3<f32> = _S477 * (vec3<f32>(_S475) * _S469 - vec3<f32>(_S472) * _S470);
-    var _S479 : vec3<f32> = _S477 * (vec3<f32>(_S471) * _S470 - vec3<f32>(_S474) * _S469);
+    var _S468 : u32 = u32(3) * _S465;
+    var _S469 : Vertex_0 = vertex_at_0(_S468);
+    var _S470 : Vertex_0 = vertex_at_0(_S468 + u32(1));
+    var _S471 : Vertex_0 = vertex_at_0(_S468 + u32(2));
+    var _S472 : vec3<f32> = position_of_0(_S469);
+    var _S473 : vec3<f32> = position_of_0(_S470) - _S472;
+    var _S474 : vec3<f32> = position_of_0(_S471) - _S472;
+    var _S475 : f32 = _S470.u_0 - _S469.u_0;
+    var _S476 : f32 = _S470.v_0 - _S469.v_0;
+    var _S477 : vec2<f32> = vec2<f32>(_S475, _S476);
+    var _S478 : f32 = _S471.u_0 - _S469.u_0;
+    var _S479 : f32 = _S471.v_0 - _S469.v_0;
+    var _S480 : vec2<f32> = vec2<f32>(_S478, _S479);
+    var _S481 : vec3<f32> = vec3<f32>(select(1.0f, -1.0f, (_S475 * _S479 - _S476 * _S478) < 0.0f));
+    var _S482 : vec3<f32> = _S481 * (vec3<f32>(_S479) * _S473 - vec3<f32>(_S476) * _S474);
+    var _S483 : vec3<f32> = _S481 * (vec3<f32>(_S475) * _S474 - vec3<f32>(_S478) * _S473);
     var point_1 : VisiblePoint_0;
-    var _S480 : vec3<f32> = vec3<f32>(_S462);
-    var _S481 : vec3<f32> = vec3<f32>(_S463);
-    var _S482 : vec3<f32> = normalize(vec3<f32>((1.0f - _S462 - _S463)) * normal_of_0(_S465) + _S480 * normal_of_0(_S466) + _S481 * normal_of_0(_S467));
-    point_1.normal_0 = _S482;
-    var _S483 : vec3<f32> = normalize(_S478 - _S482 * vec3<f32>(dot(_S482, _S478)));
-    point_1.axis_x_0 = _S483;
-    point_1.axis_y_0 = cross(_S482, _S483);
-    var _S484 : vec3<f32> = normalize(cross(_S469, _S470));
-    point_1.face_normal_0 = select_vector_2((dot(_S484, _S482)) < 0.0f, (vec3<f32>(0) - _S484), _S484);
-    point_1.position_4 = _S468 + _S480 * _S469 + _S481 * _S470;
-    point_1.view_0 = _S482;
-    var _S485 : vec2<f32> = vec2<f32>(_S465.u_0, _S465.v_0) + vec2<f32>(_S462) * _S473 + vec2<f32>(_S463) * _S476;
-    point_1.uv_1 = _S485;
-    var _S486 : bool = (dot(cross(_S478, _S479), _S482)) < 0.0f;
-    var _S487 : vec2<f32> = vec2<f32>(fabrics_0[_S460].uv_width_0, select(fabrics_0[_S460].uv_height_0, - fabrics_0[_S460].uv_height_0, _S486));
-    point_1.draft_per_uv_0 = _S487;
-    point_1.draft_0 = uneven_place_0(_S460, _S485 * _S487 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S460].uv_height_0, _S486)));
-    var _S488 : vec2<f32> = vec2<f32>(0.0f);
-    point_1.draft_dx_0 = _S488;
-    point_1.draft_dy_0 = _S488;
+    var _S484 : vec3<f32> = vec3<f32>(_S466);
+    var _S485 : vec3<f32> = vec3<f32>(_S467);
+    var _S486 : vec3<f32> = normalize(vec3<f32>((1.0f - _S466 - _S467)) * normal_of_0(_S469) + _S484 * normal_of_0(_S470) + _S485 * normal_of_0(_S471));
+    point_1.normal_0 = _S486;
+    var _S487 : vec3<f32> = normalize(_S482 - _S486 * vec3<f32>(dot(_S486, _S482)));
+    point_1.axis_x_0 = _S487;
+    point_1.axis_y_0 = cross(_S486, _S487);
+    var _S488 : vec3<f32> = normalize(cross(_S473, _S474));
+    point_1.face_normal_0 = select_vector_2((dot(_S488, _S486)) < 0.0f, (vec3<f32>(0) - _S488), _S488);
+    point_1.position_4 = _S472 + _S484 * _S473 + _S485 * _S474;
+    point_1.view_0 = _S486;
+    var _S489 : vec2<f32> = vec2<f32>(_S469.u_0, _S469.v_0) + vec2<f32>(_S466) * _S477 + vec2<f32>(_S467) * _S480;
+    point_1.uv_1 = _S489;
+    var _S490 : bool = (dot(cross(_S482, _S483), _S486)) < 0.0f;
+    var _S491 : vec2<f32> = vec2<f32>(fabrics_0[_S464].uv_width_0, select(fabrics_0[_S464].uv_height_0, - fabrics_0[_S464].uv_height_0, _S490));
+    point_1.draft_per_uv_0 = _S491;
+    point_1.draft_0 = uneven_place_0(_S464, _S489 * _S491 + vec2<f32>(0.0f, select(0.0f, fabrics_0[_S464].uv_height_0, _S490)));
+    var _S492 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S492;
+    point_1.draft_dy_0 = _S492;
     return point_1;
 }
 
-fn visible_point_0( _S489 : u32,  _S490 : u32,  _S491 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S493 : u32,  _S494 : u32,  _S495 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S492 : u32 = u32(3) * _S490;
-    var _S493 : Vertex_0 = vertex_at_0(_S492);
-    var _S494 : Vertex_0 = vertex_at_0(_S492 + u32(1));
-    var _S495 : Vertex_0 = vertex_at_0(_S492 + u32(2));
-    var _S496 : vec3<f32> = position_of_0(_S493);
-    var _S497 : vec3<f32> = position_of_0(_S494) - _S496;
-    var _S498 : vec3<f32> = position_of_0(_S495) - _S496;
-    var _S499 : vec3<f32> = cross(_S497, _S498);
-    var _S500 : f32 = f32(frame_record_0.width_0);
-    var _S501 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S500));
-    var _S502 : f32 = f32(frame_record_0.height_0);
-    var _S503 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S502));
-    var _S504 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S491.x) + 0.5f - 0.5f * _S500)) * _S501 + vec3<f32>((f32(_S491.y) + 0.5f - 0.5f * _S502)) * _S503;
-    var _S505 : f32 = dot(_S504, _S499);
-    var _S506 : f32 = 1.0f / select(1.00000000317107685e-30f, _S505, (abs(_S505)) > 1.00000000317107685e-30f);
-    var _S507 : vec3<f32> = _S496 - camera_origin_0();
-    var _S508 : vec3<f32> = vec3<f32>((dot(_S507, _S499) * _S506));
-    var _S509 : vec3<f32> = _S504 * _S508 - _S507;
-    var _S510 : vec3<f32> = _S508 * (_S501 - _S504 * vec3<f32>((dot(_S501, _S499) * _S506)));
-    var _S511 : vec3<f32> = _S508 * (_S503 - _S504 * vec3<f32>((dot(_S503, _S499) * _S506)));
-    var _S512 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S499), 1.00000000317107685e-30f)));
-    var _S513 : vec3<f32> = cross(_S498, _S499) * _S512;
-    var _S514 : vec3<f32> = cross(_S499, _S497) * _S512;
-    var _S515 : vec2<f32> = vec2<f32>(_S494.u_0 - _S493.u_0, _S494.v_0 - _S493.v_0);
-    var _S516 : vec2<f32> = vec2<f32>(_S495.u_0 - _S493.u_0, _S495.v_0 - _S493.v_0);
-    var point_2 : VisiblePoint_0 = face_point_0(_S489, _S490, dot(_S509, _S513), dot(_S509, _S514));
-    point_2.position_4 = _S496 + _S509;
-    point_2.view_0 = (vec3<f32>(0) - normalize(_S504));
-    point_2.draft_dx_0 = (vec2<f32>(dot(_S510, _S513)) * _S515 + vec2<f32>(dot(_S510, _S514)) * _S516) * point_2.draft_per_uv_0;
-    point_2.draft_dy_0 = (vec2<f32>(dot(_S511, _S513)) * _S515 + vec2<f32>(dot(_S511, _S514)) * _S516) * point_2.draft_per_uv_0;
+    var _S496 : u32 = u32(3) * _S494;
+    var _S497 : Vertex_0 = vertex_at_0(_S496);
+    var _S498 : Vertex_0 = vertex_at_0(_S496 + u32(1));
+    var _S499 : Vertex_0 = vertex_at_0(_S496 + u32(2));
+    var _S500 : vec3<f32> = position_of_0(_S497);
+    var _S501 : vec3<f32> = position_of_0(_S498) - _S500;
+    var _S502 : vec3<f32> = position_of_0(_S499) - _S500;
+    var _S503 : vec3<f32> = cross(_S501, _S502);
+    var _S504 : f32 = f32(frame_record_0.width_0);
+    var _S505 : vec3<f32> = camera_right_0() * vec3<f32>((2.0f / _S504));
+    var _S506 : f32 = f32(frame_record_0.height_0);
+    var _S507 : vec3<f32> = camera_up_0() * vec3<f32>((-2.0f / _S506));
+    var _S508 : vec3<f32> = camera_forward_0() + vec3<f32>((f32(_S495.x) + 0.5f - 0.5f * _S504)) * _S505 + vec3<f32>((f32(_S495.y) + 0.5f - 0.5f * _S506)) * _S507;
+    var _S509 : f32 = dot(_S508, _S503);
+    var _S510 : f32 = 1.0f / select(1.00000000317107685e-30f, _S509, (abs(_S509)) > 1.00000000317107685e-30f);
+    var _S511 : vec3<f32> = _S500 - camera_origin_0();
+    var _S512 : vec3<f32> = vec3<f32>((dot(_S511, _S503) * _S510));
+    var _S513 : vec3<f32> = _S508 * _S512 - _S511;
+    var _S514 : vec3<f32> = _S512 * (_S505 - _S508 * vec3<f32>((dot(_S505, _S503) * _S510)));
+    var _S515 : vec3<f32> = _S512 * (_S507 - _S508 * vec3<f32>((dot(_S507, _S503) * _S510)));
+    var _S516 : vec3<f32> = vec3<f32>((1.0f / max(square_0(_S503), 1.00000000317107685e-30f)));
+    var _S517 : vec3<f32> = cross(_S502, _S503) * _S516;
+    var _S518 : vec3<f32> = cross(_S503, _S501) * _S516;
+    var _S519 : vec2<f32> = vec2<f32>(_S498.u_0 - _S497.u_0, _S498.v_0 - _S497.v_0);
+    var _S520 : vec2<f32> = vec2<f32>(_S499.u_0 - _S497.u_0, _S499.v_0 - _S497.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S493, _S494, dot(_S513, _S517), dot(_S513, _S518));
+    point_2.position_4 = _S500 + _S513;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S508));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S514, _S517)) * _S519 + vec2<f32>(dot(_S514, _S518)) * _S520) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S515, _S517)) * _S519 + vec2<f32>(dot(_S515, _S518)) * _S520) * point_2.draft_per_uv_0;
     return point_2;
 }
 
-fn filtered_albedo_0( _S517 : u32,  _S518 : VisiblePoint_0) -> vec3<f32>
+fn filtered_albedo_0( _S521 : u32,  _S522 : VisiblePoint_0) -> vec3<f32>
 {
-    var _S519 : u32 = fabrics_0[_S517].albedo_map_levels_0;
-    if((fabrics_0[_S517].albedo_map_levels_0) == u32(0))
+    var _S523 : u32 = fabrics_0[_S521].albedo_map_levels_0;
+    if((fabrics_0[_S521].albedo_map_levels_0) == u32(0))
     {
         return vec3<f32>(1.0f);
     }
-    var _S520 : vec2<f32> = vec2<f32>(fabrics_0[_S517].uv_width_0, fabrics_0[_S517].uv_height_0);
-    var _S521 : vec2<f32> = _S518.draft_dx_0 / _S520;
-    var _S522 : vec2<f32> = _S518.draft_dy_0 / _S520;
-    var _S523 : u32 = _S519 - u32(1);
-    var _S524 : u32 = (u32(1) << (_S523));
-    var _S525 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S521.x * _S522.y - _S521.y * _S522.x), 9.99999968265522539e-21f) * (square_1(f32(_S524)) / 3.0f)), 0.0f, f32(_S519) - 1.0f);
-    var _S526 : u32 = min(u32(_S525), max(_S519, u32(2)) - u32(2));
-    var _S527 : u32 = min(_S526 + u32(1), _S523);
-    var _S528 : u32 = (u32(1) << ((u32(2) * _S519)));
-    return mix(map_level_0(fabrics_0[_S517].albedo_map_0 + (_S528 - ((_S528 >> ((u32(2) * _S526))))) / u32(3), (_S524 >> (_S526)), _S518.uv_1), map_level_0(fabrics_0[_S517].albedo_map_0 + (_S528 - ((_S528 >> ((u32(2) * _S527))))) / u32(3), (_S524 >> (_S527)), _S518.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S525 - f32(_S526))) - 1.0f) / 3.0f)));
+    var _S524 : vec2<f32> = vec2<f32>(fabrics_0[_S521].uv_width_0, fabrics_0[_S521].uv_height_0);
+    var _S525 : vec2<f32> = _S522.draft_dx_0 / _S524;
+    var _S526 : vec2<f32> = _S522.draft_dy_0 / _S524;
+    var _S527 : u32 = _S523 - u32(1);
+    var _S528 : u32 = (u32(1) << (_S527));
+    var _S529 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S525.x * _S526.y - _S525.y * _S526.x), 9.99999968265522539e-21f) * (square_1(f32(_S528)) / 3.0f)), 0.0f, f32(_S523) - 1.0f);
+    var _S530 : u32 = min(u32(_S529), max(_S523, u32(2)) - u32(2));
+    var _S531 : u32 = min(_S530 + u32(1), _S527);
+    var _S532 : u32 = (u32(1) << ((u32(2) * _S523)));
+    return mix(map_level_0(fabrics_0[_S521].albedo_map_0 + (_S532 - ((_S532 >> ((u32(2) * _S530))))) / u32(3), (_S528 >> (_S530)), _S522.uv_1), map_level_0(fabrics_0[_S521].albedo_map_0 + (_S532 - ((_S532 >> ((u32(2) * _S531))))) / u32(3), (_S528 >> (_S531)), _S522.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S529 - f32(_S530))) - 1.0f) / 3.0f)));
 }
 
-fn is_layered_0( _S529 : u32) -> bool
+fn is_layered_0( _S533 : u32) -> bool
 {
-    return (HAS_LAYERS_0 & (((fabrics_0[_S529].planes_0) != u32(0))));
+    return (HAS_LAYERS_0 & (((fabrics_0[_S533].planes_0) != u32(0))));
 }
 
-fn irregular_key_0( _S530 : u32,  _S531 : u32) -> u32
+fn irregular_key_0( _S534 : u32,  _S535 : u32) -> u32
 {
-    return hash_key_0(_S531, ((fabrics_0[_S530].seed_0) ^ (u32(1821285621))));
+    return hash_key_0(_S535, ((fabrics_0[_S534].seed_0) ^ (u32(1821285621))));
 }
 
-fn irregular_place_0( _S532 : u32,  _S533 : vec2<f32>,  _S534 : f32) -> vec2<f32>
+fn irregular_place_0( _S536 : u32,  _S537 : vec2<f32>,  _S538 : f32) -> vec2<f32>
 {
-    var _S535 : u32 = fabrics_0[_S532].warp_0;
-    var _S536 : u32 = fabrics_0[_S532].weft_0;
-    var _S537 : bool = (((((fabrics_0[_S532].is_irregular_0) != u32(0)) & ((!is_layered_0(_S532))))) & (((max(moved_share_0(fabrics_0[_S532].warp_0, _S534), moved_share_0(fabrics_0[_S532].weft_0, _S534))) > 0.0f)));
+    var _S539 : u32 = fabrics_0[_S536].warp_0;
+    var _S540 : u32 = fabrics_0[_S536].weft_0;
+    var _S541 : bool = (((((fabrics_0[_S536].is_irregular_0) != u32(0)) & ((!is_layered_0(_S536))))) & (((max(moved_share_0(fabrics_0[_S536].warp_0, _S538), moved_share_0(fabrics_0[_S536].weft_0, _S538))) > 0.0f)));
     var number_7 : u32 = u32(0);
-    var moved_0 : vec2<f32> = _S533;
+    var moved_0 : vec2<f32> = _S537;
     for(;;)
     {
-        if(number_7 < select(u32(0), u32(2), _S537))
+        if(number_7 < select(u32(0), u32(2), _S541))
         {
         }
         else
         {
             break;
         }
-        var _S538 : bool = number_7 == u32(0);
-        var _S539 : u32 = select(_S536, _S535, _S538);
-        var _S540 : vec2<f32> = select_vector_1(_S538, _S533, _S533.yx);
-        var _S541 : u32 = irregular_key_0(_S532, number_7);
-        var _S542 : f32 = _S540.x;
-        var _S543 : Cell_0 = locate_0(_S539, _S542);
-        var _S544 : f32 = irregular_thread_0(_S539, _S542, _S543);
-        var _S545 : f32 = select(1.0f, -1.0f, (_S543.across_0) < 0.0f);
-        var _S546 : vec2<f32> = vec2<f32>(0.0f);
-        var other_3 : vec2<f32> = _S546;
-        var own_2 : vec2<f32> = _S546;
+        var _S542 : bool = number_7 == u32(0);
+        var _S543 : u32 = select(_S540, _S539, _S542);
+        var _S544 : vec2<f32> = select_vector_1(_S542, _S537, _S537.yx);
+        var _S545 : u32 = irregular_key_0(_S536, number_7);
+        var _S546 : f32 = _S544.x;
+        var _S547 : Cell_0 = locate_0(_S543, _S546);
+        var _S548 : f32 = irregular_thread_0(_S543, _S546, _S547);
+        var _S549 : f32 = select(1.0f, -1.0f, (_S547.across_0) < 0.0f);
+        var _S550 : vec2<f32> = vec2<f32>(0.0f);
+        var other_3 : vec2<f32> = _S550;
+        var own_2 : vec2<f32> = _S550;
         var neighbour_0 : u32 = u32(0);
         for(;;)
         {
@@ -3199,23 +3215,23 @@ fn irregular_place_0( _S532 : u32,  _S533 : vec2<f32>,  _S534 : f32) -> vec2<f32
             {
                 break;
             }
-            var _S547 : vec2<f32> = irregular_at_0(_S539, _S541, _S544 + _S545 * f32(neighbour_0), _S540.y).xy;
-            var _S548 : u32 = neighbour_0 + u32(1);
+            var _S551 : vec2<f32> = irregular_at_0(_S543, _S545, _S548 + _S549 * f32(neighbour_0), _S544.y).xy;
+            var _S552 : u32 = neighbour_0 + u32(1);
             own_2 = other_3;
-            other_3 = _S547;
-            neighbour_0 = _S548;
+            other_3 = _S551;
+            neighbour_0 = _S552;
         }
-        var _S549 : f32 = _S543.below_0 + _S543.above_0;
-        var _S550 : f32 = min(_S543.half_width_1 / _S549, 0.5f);
-        var _S551 : f32 = min(_S550 * (2.0f + own_2.y + other_3.y), 1.0f);
-        var _S552 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
-        var _S553 : f32 = _S552.x;
-        var _S554 : f32 = _S551 * _S553 / (_S553 + _S552.y);
-        var _S555 : f32 = abs(_S543.across_0) / _S549;
-        var _S556 : f32 = 1.0f - _S551;
-        var _S557 : f32 = _S555 - _S554;
-        var _S558 : f32 = moved_share_0(_S539, _S534) * _S545 * _S549 * (select(select((_S557 - _S556) / max(_S551 - _S554, 9.99999997475242708e-07f) * _S550 + (1.0f - _S550), _S557 / max(_S556, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S550) + _S550, _S557 < _S556), _S555 * _S550 / _S554, _S557 < 0.0f) - _S555);
-        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S538, vec2<f32>(_S558, 0.0f), vec2<f32>(0.0f, _S558));
+        var _S553 : f32 = _S547.below_0 + _S547.above_0;
+        var _S554 : f32 = min(_S547.half_width_1 / _S553, 0.5f);
+        var _S555 : f32 = min(_S554 * (2.0f + own_2.y + other_3.y), 1.0f);
+        var _S556 : vec2<f32> = sqrt(max(vec2<f32>(1.0f) + vec2<f32>(own_2.x, other_3.x), vec2<f32>(0.25f)));
+        var _S557 : f32 = _S556.x;
+        var _S558 : f32 = _S555 * _S557 / (_S557 + _S556.y);
+        var _S559 : f32 = abs(_S547.across_0) / _S553;
+        var _S560 : f32 = 1.0f - _S555;
+        var _S561 : f32 = _S559 - _S558;
+        var _S562 : f32 = moved_share_0(_S543, _S538) * _S549 * _S553 * (select(select((_S561 - _S560) / max(_S555 - _S558, 9.99999997475242708e-07f) * _S554 + (1.0f - _S554), _S561 / max(_S560, 9.99999997475242708e-07f) * (1.0f - 2.0f * _S554) + _S554, _S561 < _S560), _S559 * _S554 / _S558, _S561 < 0.0f) - _S559);
+        var moved_1 : vec2<f32> = moved_0 + select_vector_1(_S542, vec2<f32>(_S562, 0.0f), vec2<f32>(0.0f, _S562));
         number_7 = number_7 + u32(1);
         moved_0 = moved_1;
     }
@@ -3233,23 +3249,23 @@ struct NeuralView_0
      back_10 : bool,
 };
 
-fn anisotropic_taps_0( _S559 : u32,  _S560 : Footprint_0) -> AnisotropicTaps_0
+fn anisotropic_taps_0( _S563 : u32,  _S564 : Footprint_0) -> AnisotropicTaps_0
 {
-    var _S561 : vec3<f32> = row_of_taps_0(_S560);
-    var _S562 : vec2<f32> = _S560.dx_0;
-    var _S563 : vec2<f32> = _S560.dy_0;
-    var _S564 : f32 = dot(_S562, _S562) + dot(_S563, _S563);
-    var _S565 : f32 = _S560.dx_0.x * _S560.dy_0.y - _S560.dx_0.y * _S560.dy_0.x;
-    var _S566 : f32 = 0.5f * (_S564 + sqrt(max(_S564 * _S564 - 4.0f * _S565 * _S565, 0.0f)));
-    var _S567 : bool = ((_S566 < (5.5f * (_S564 - _S566))) & ((_S564 > (8.0f * fabrics_0[_S559].neural_0.pitch_0 * fabrics_0[_S559].neural_0.pitch_0))));
-    var _S568 : vec2<f32> = vec2<f32>(fabrics_0[_S559].neural_0.ends_per_mm_0, fabrics_0[_S559].neural_0.picks_per_mm_0);
+    var _S565 : vec3<f32> = row_of_taps_0(_S564);
+    var _S566 : vec2<f32> = _S564.dx_0;
+    var _S567 : vec2<f32> = _S564.dy_0;
+    var _S568 : f32 = dot(_S566, _S566) + dot(_S567, _S567);
+    var _S569 : f32 = _S564.dx_0.x * _S564.dy_0.y - _S564.dx_0.y * _S564.dy_0.x;
+    var _S570 : f32 = 0.5f * (_S568 + sqrt(max(_S568 * _S568 - 4.0f * _S569 * _S569, 0.0f)));
+    var _S571 : bool = ((_S570 < (5.5f * (_S568 - _S570))) & ((_S568 > (8.0f * fabrics_0[_S563].neural_0.pitch_0 * fabrics_0[_S563].neural_0.pitch_0))));
+    var _S572 : vec2<f32> = vec2<f32>(fabrics_0[_S563].neural_0.ends_per_mm_0, fabrics_0[_S563].neural_0.picks_per_mm_0);
     var taps_1 : AnisotropicTaps_0;
-    taps_1.centre_1 = _S560.centre_0 * _S568;
-    taps_1.side_2 = select(_S561.x, sqrt(0.125f * _S564), _S567) / fabrics_0[_S559].neural_0.pitch_0;
-    var _S569 : vec2<f32> = vec2<f32>(0.25f);
-    var _S570 : vec2<f32> = _S561.yz;
-    taps_1.first_21 = select_vector_1(_S567, _S569 * _S560.dx_0, _S570) * _S568;
-    taps_1.second_0 = select_vector_1(_S567, _S569 * _S560.dy_0, vec2<f32>(0.5f) * _S570) * _S568;
+    taps_1.centre_1 = _S564.centre_0 * _S572;
+    taps_1.side_2 = select(_S565.x, sqrt(0.125f * _S568), _S571) / fabrics_0[_S563].neural_0.pitch_0;
+    var _S573 : vec2<f32> = vec2<f32>(0.25f);
+    var _S574 : vec2<f32> = _S565.yz;
+    taps_1.first_21 = select_vector_1(_S571, _S573 * _S564.dx_0, _S574) * _S572;
+    taps_1.second_0 = select_vector_1(_S571, _S573 * _S564.dy_0, vec2<f32>(0.5f) * _S574) * _S572;
     return taps_1;
 }
 
@@ -3261,19 +3277,19 @@ struct Hit_0
      height_5 : f32,
 };
 
-fn whole_plane_0( _S571 : u32) -> Plane_0
+fn whole_plane_0( _S575 : u32) -> Plane_0
 {
     var plane_5 : Plane_0;
-    plane_5.warp_1 = fabrics_0[_S571].warp_0;
-    plane_5.weft_1 = fabrics_0[_S571].weft_0;
-    plane_5.run_words_1 = fabrics_0[_S571].run_words_0;
-    plane_5.ends_2 = fabrics_0[_S571].ends_1;
+    plane_5.warp_1 = fabrics_0[_S575].warp_0;
+    plane_5.weft_1 = fabrics_0[_S575].weft_0;
+    plane_5.run_words_1 = fabrics_0[_S575].run_words_0;
+    plane_5.ends_2 = fabrics_0[_S575].ends_1;
     plane_5.end_numbers_0 = u32(0);
     plane_5.pick_numbers_0 = u32(0);
-    plane_5.max_heights_1 = fabrics_0[_S571].max_heights_0;
-    plane_5.max_height_columns_1 = fabrics_0[_S571].max_height_columns_0;
-    plane_5.height_low_1 = fabrics_0[_S571].height_low_0;
-    plane_5.height_high_1 = fabrics_0[_S571].height_high_0;
+    plane_5.max_heights_1 = fabrics_0[_S575].max_heights_0;
+    plane_5.max_height_columns_1 = fabrics_0[_S575].max_height_columns_0;
+    plane_5.height_low_1 = fabrics_0[_S575].height_low_0;
+    plane_5.height_high_1 = fabrics_0[_S575].height_high_0;
     plane_5.front_level_0 = 0.0f;
     plane_5.back_level_0 = 0.0f;
     plane_5.start_x_0 = 0.0f;
@@ -3283,146 +3299,146 @@ fn whole_plane_0( _S571 : u32) -> Plane_0
     return plane_5;
 }
 
-fn plane_order_0( _S572 : u32,  _S573 : f32,  _S574 : f32,  _S575 : bool) -> u32
+fn plane_order_0( _S576 : u32,  _S577 : f32,  _S578 : f32,  _S579 : bool) -> u32
 {
-    var _S576 : u32 = select(u32(0), locate_varied_0(fabrics_0[_S572].plane_axes_0 + u32(1), _S574).thread_1 * fabrics_0[_S572].ends_1 + locate_varied_0(fabrics_0[_S572].plane_axes_0, _S573).thread_1, (fabrics_0[_S572].stacks_0) > u32(1));
-    return fabrics_0[_S572].plane_orders_0 + u32(2) * fabrics_0[_S572].planes_0 * (u32(2) * ((((words_0[fabrics_0[_S572].regions_0 + _S576 / u32(4)] >> ((u32(8) * (_S576 % u32(4)))))) & (u32(255)))) + select(u32(0), u32(1), _S575));
+    var _S580 : u32 = select(u32(0), locate_varied_0(fabrics_0[_S576].plane_axes_0 + u32(1), _S578).thread_1 * fabrics_0[_S576].ends_1 + locate_varied_0(fabrics_0[_S576].plane_axes_0, _S577).thread_1, (fabrics_0[_S576].stacks_0) > u32(1));
+    return fabrics_0[_S576].plane_orders_0 + u32(2) * fabrics_0[_S576].planes_0 * (u32(2) * ((((words_0[fabrics_0[_S576].regions_0 + _S580 / u32(4)] >> ((u32(8) * (_S580 % u32(4)))))) & (u32(255)))) + select(u32(0), u32(1), _S579));
 }
 
-fn first_bounds_0( _S577 : u32,  _S578 : u32,  _S579 : f32,  _S580 : f32,  _S581 : bool,  _S582 : bool,  _S583 : bool) -> vec3<f32>
+fn first_bounds_0( _S581 : u32,  _S582 : u32,  _S583 : f32,  _S584 : f32,  _S585 : bool,  _S586 : bool,  _S587 : bool) -> vec3<f32>
 {
-    var _S584 : vec3<f32> = bounds_in_0(plane_at_0(fabrics_0[_S577].plane_records_0 + words_0[_S578] * u32(16)), _S579, _S580, _S581, _S582, _S583);
-    var _S585 : Cell_0 = locate_varied_0(fabrics_0[_S577].plane_axes_0, _S579);
-    var _S586 : Cell_0 = locate_varied_0(fabrics_0[_S577].plane_axes_0 + u32(1), _S580);
-    var _S587 : bool = (fabrics_0[_S577].stacks_0) == u32(1);
-    return vec3<f32>(_S584.x + table_number_0(_S578 + u32(1)), min(_S584.y, select(select(_S585.below_0, _S585.above_0, _S582), 1.0e+06f, _S587)), min(_S584.z, select(select(_S586.below_0, _S586.above_0, _S583), 1.0e+06f, _S587)));
+    var _S588 : vec3<f32> = bounds_in_0(plane_at_0(fabrics_0[_S581].plane_records_0 + words_0[_S582] * u32(16)), _S583, _S584, _S585, _S586, _S587);
+    var _S589 : Cell_0 = locate_varied_0(fabrics_0[_S581].plane_axes_0, _S583);
+    var _S590 : Cell_0 = locate_varied_0(fabrics_0[_S581].plane_axes_0 + u32(1), _S584);
+    var _S591 : bool = (fabrics_0[_S581].stacks_0) == u32(1);
+    return vec3<f32>(_S588.x + table_number_0(_S582 + u32(1)), min(_S588.y, select(select(_S589.below_0, _S589.above_0, _S586), 1.0e+06f, _S591)), min(_S588.z, select(select(_S590.below_0, _S590.above_0, _S587), 1.0e+06f, _S591)));
 }
 
-fn plane_shown_0( _S588 : u32,  _S589 : f32,  _S590 : f32,  _S591 : bool,  _S592 : bool,  _S593 : bool) -> PlaneHere_0
+fn plane_shown_0( _S592 : u32,  _S593 : f32,  _S594 : f32,  _S595 : bool,  _S596 : bool,  _S597 : bool) -> PlaneHere_0
 {
     var here_6 : PlaneHere_0;
-    here_6.plane_3 = whole_plane_0(_S588);
+    here_6.plane_3 = whole_plane_0(_S592);
     here_6.number_1 = u32(0);
     here_6.level_1 = 0.0f;
     here_6.edge_x_0 = 1.0e+06f;
     here_6.edge_y_0 = 1.0e+06f;
     here_6.bounds_0 = vec3<f32>(0.0f);
-    if(!is_layered_0(_S588))
+    if(!is_layered_0(_S592))
     {
         return here_6;
     }
-    var _S594 : u32 = plane_order_0(_S588, _S589, _S590, _S591);
-    var _S595 : vec3<f32> = first_bounds_0(_S588, _S594, _S589, _S590, _S591, _S592, _S593);
-    here_6.bounds_0 = _S595;
-    var _S596 : bool = (fabrics_0[_S588].stacks_0) == u32(1);
-    here_6.edge_x_0 = select(_S595.y, 1.0e+06f, _S596);
-    here_6.edge_y_0 = select(_S595.z, 1.0e+06f, _S596);
+    var _S598 : u32 = plane_order_0(_S592, _S593, _S594, _S595);
+    var _S599 : vec3<f32> = first_bounds_0(_S592, _S598, _S593, _S594, _S595, _S596, _S597);
+    here_6.bounds_0 = _S599;
+    var _S600 : bool = (fabrics_0[_S592].stacks_0) == u32(1);
+    here_6.edge_x_0 = select(_S599.y, 1.0e+06f, _S600);
+    here_6.edge_y_0 = select(_S599.z, 1.0e+06f, _S600);
     var is_hole_0 : bool = true;
     var rank_1 : u32 = u32(0);
     for(;;)
     {
-        if(((rank_1 < (fabrics_0[_S588].planes_0)) & (is_hole_0)))
+        if(((rank_1 < (fabrics_0[_S592].planes_0)) & (is_hole_0)))
         {
         }
         else
         {
             break;
         }
-        var _S597 : u32 = _S594 + u32(2) * rank_1;
-        var _S598 : u32 = words_0[_S597];
-        here_6.number_1 = _S598;
-        here_6.level_1 = table_number_0(_S597 + u32(1));
-        here_6.plane_3 = plane_at_0(fabrics_0[_S588].plane_records_0 + _S598 * u32(16));
-        var _S599 : Cell_0 = locate_varied_0(here_6.plane_3.warp_1, _S589 - here_6.plane_3.start_x_0);
-        var _S600 : Cell_0 = locate_varied_0(here_6.plane_3.weft_1, _S590 - here_6.plane_3.start_y_0);
-        var is_hole_1 : bool = !((((abs(_S599.across_0)) < (_S599.half_width_1)) | (((abs(_S600.across_0)) < (_S600.half_width_1)))));
-        here_6.edge_x_0 = min(here_6.edge_x_0, select(1.0e+06f, hole_edge_0(_S599, _S592), is_hole_1));
-        here_6.edge_y_0 = min(here_6.edge_y_0, select(1.0e+06f, hole_edge_0(_S600, _S593), is_hole_1));
-        var _S601 : u32 = rank_1 + u32(1);
+        var _S601 : u32 = _S598 + u32(2) * rank_1;
+        var _S602 : u32 = words_0[_S601];
+        here_6.number_1 = _S602;
+        here_6.level_1 = table_number_0(_S601 + u32(1));
+        here_6.plane_3 = plane_at_0(fabrics_0[_S592].plane_records_0 + _S602 * u32(16));
+        var _S603 : Cell_0 = locate_varied_0(here_6.plane_3.warp_1, _S593 - here_6.plane_3.start_x_0);
+        var _S604 : Cell_0 = locate_varied_0(here_6.plane_3.weft_1, _S594 - here_6.plane_3.start_y_0);
+        var is_hole_1 : bool = !((((abs(_S603.across_0)) < (_S603.half_width_1)) | (((abs(_S604.across_0)) < (_S604.half_width_1)))));
+        here_6.edge_x_0 = min(here_6.edge_x_0, select(1.0e+06f, hole_edge_0(_S603, _S596), is_hole_1));
+        here_6.edge_y_0 = min(here_6.edge_y_0, select(1.0e+06f, hole_edge_0(_S604, _S597), is_hole_1));
+        var _S605 : u32 = rank_1 + u32(1);
         is_hole_0 = is_hole_1;
-        rank_1 = _S601;
+        rank_1 = _S605;
     }
     return here_6;
 }
 
-fn sample_at_0( _S602 : u32,  _S603 : f32,  _S604 : f32,  _S605 : bool) -> Sample_0
+fn sample_at_0( _S606 : u32,  _S607 : f32,  _S608 : f32,  _S609 : bool) -> Sample_0
 {
-    return sample_in_0(plane_shown_0(_S602, _S603, _S604, _S605, true, true), _S603, _S604, _S605);
+    return sample_in_0(plane_shown_0(_S606, _S607, _S608, _S609, true, true), _S607, _S608, _S609);
 }
 
-fn steps_per_length_0( _S606 : u32,  _S607 : SearchQuality_0,  _S608 : vec3<f32>) -> f32
+fn steps_per_length_0( _S610 : u32,  _S611 : SearchQuality_0,  _S612 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S608.x) * fabrics_0[_S606].threads_per_x_0, abs(_S608.y) * fabrics_0[_S606].threads_per_y_0) * _S607.steps_per_thread_0, abs(_S608.z) * fabrics_0[_S606].per_relief_0 * _S607.steps_per_relief_0);
+    return max(max(abs(_S612.x) * fabrics_0[_S610].threads_per_x_0, abs(_S612.y) * fabrics_0[_S610].threads_per_y_0) * _S611.steps_per_thread_0, abs(_S612.z) * fabrics_0[_S610].per_relief_0 * _S611.steps_per_relief_0);
 }
 
-fn plane_count_0( _S609 : u32) -> u32
+fn plane_count_0( _S613 : u32) -> u32
 {
-    return select(u32(1), fabrics_0[_S609].planes_0, is_layered_0(_S609));
+    return select(u32(1), fabrics_0[_S613].planes_0, is_layered_0(_S613));
 }
 
-fn probe_0( _S610 : u32,  _S611 : f32,  _S612 : f32,  _S613 : bool,  _S614 : bool,  _S615 : bool) -> Probe_0
+fn probe_0( _S614 : u32,  _S615 : f32,  _S616 : f32,  _S617 : bool,  _S618 : bool,  _S619 : bool) -> Probe_0
 {
-    var _S616 : PlaneHere_0 = plane_shown_0(_S610, _S611, _S612, _S613, _S614, _S615);
-    var _S617 : Sample_0 = sample_in_0(_S616, _S611, _S612, _S613);
+    var _S620 : PlaneHere_0 = plane_shown_0(_S614, _S615, _S616, _S617, _S618, _S619);
+    var _S621 : Sample_0 = sample_in_0(_S620, _S615, _S616, _S617);
     var probe_1 : Probe_0;
-    probe_1.height_3 = _S617.height_2;
-    probe_1.hole_1 = _S617.shown_2.hole_0;
-    probe_1.slope_x_1 = _S617.slope_x_0;
-    probe_1.slope_y_1 = _S617.slope_y_0;
-    var _S618 : bool = !is_layered_0(_S610);
-    probe_1.yarn_1 = select(_S617.crossing_3.weft_2.thread_1 * u32(2), _S617.crossing_3.warp_2.thread_1 * u32(2) + u32(1), _S617.shown_2.is_warp_0) * plane_count_0(_S610) + _S616.number_1;
-    probe_1.cell_max_0 = select(_S616.bounds_0.x, cell_maximum_0(_S616.plane_3, _S617.crossing_3), _S618);
-    probe_1.side_x_0 = select(_S616.bounds_0.y, select(_S617.crossing_3.warp_2.below_0, _S617.crossing_3.warp_2.above_0, _S614), _S618);
-    probe_1.side_y_0 = select(_S616.bounds_0.z, select(_S617.crossing_3.weft_2.below_0, _S617.crossing_3.weft_2.above_0, _S615), _S618);
-    probe_1.edge_x_1 = min(_S616.edge_x_0, outline_distance_0(_S617.crossing_3.warp_2, _S617.shown_2, _S617.run_2, !_S617.shown_2.is_warp_0, _S614));
-    probe_1.edge_y_1 = min(_S616.edge_y_0, outline_distance_0(_S617.crossing_3.weft_2, _S617.shown_2, _S617.run_2, _S617.shown_2.is_warp_0, _S615));
+    probe_1.height_3 = _S621.height_2;
+    probe_1.hole_1 = _S621.shown_2.hole_0;
+    probe_1.slope_x_1 = _S621.slope_x_0;
+    probe_1.slope_y_1 = _S621.slope_y_0;
+    var _S622 : bool = !is_layered_0(_S614);
+    probe_1.yarn_1 = select(_S621.crossing_3.weft_2.thread_1 * u32(2), _S621.crossing_3.warp_2.thread_1 * u32(2) + u32(1), _S621.shown_2.is_warp_0) * plane_count_0(_S614) + _S620.number_1;
+    probe_1.cell_max_0 = select(_S620.bounds_0.x, cell_maximum_0(_S620.plane_3, _S621.crossing_3), _S622);
+    probe_1.side_x_0 = select(_S620.bounds_0.y, select(_S621.crossing_3.warp_2.below_0, _S621.crossing_3.warp_2.above_0, _S618), _S622);
+    probe_1.side_y_0 = select(_S620.bounds_0.z, select(_S621.crossing_3.weft_2.below_0, _S621.crossing_3.weft_2.above_0, _S619), _S622);
+    probe_1.edge_x_1 = min(_S620.edge_x_0, outline_distance_0(_S621.crossing_3.warp_2, _S621.shown_2, _S621.run_2, !_S621.shown_2.is_warp_0, _S618));
+    probe_1.edge_y_1 = min(_S620.edge_y_0, outline_distance_0(_S621.crossing_3.weft_2, _S621.shown_2, _S621.run_2, _S621.shown_2.is_warp_0, _S619));
     return probe_1;
 }
 
-fn is_free_0( _S619 : u32,  _S620 : SearchQuality_0,  _S621 : vec3<f32>,  _S622 : vec3<f32>,  _S623 : bool,  _S624 : f32) -> bool
+fn is_free_0( _S623 : u32,  _S624 : SearchQuality_0,  _S625 : vec3<f32>,  _S626 : vec3<f32>,  _S627 : bool,  _S628 : f32) -> bool
 {
-    var _S625 : f32 = _S622.z;
-    if(_S625 <= 0.0f)
+    var _S629 : f32 = _S626.z;
+    if(_S629 <= 0.0f)
     {
         return false;
     }
-    var _S626 : f32 = 1.0f / max(_S620.shadow_share_0 * steps_per_length_0(_S619, _S620, _S622), 9.99999971718068537e-10f);
-    var _S627 : StepControl_0 = step_control_0(_S622.xy, _S626);
+    var _S630 : f32 = 1.0f / max(_S624.shadow_share_0 * steps_per_length_0(_S623, _S624, _S626), 9.99999971718068537e-10f);
+    var _S631 : StepControl_0 = step_control_0(_S626.xy, _S630);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_4 : u32 = u32(0);
     var distance_2 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        if(((count_4 < u32(1024)) & (((_S621.z + _S625 * distance_2) < _S624))))
+        if(((count_4 < u32(1024)) & (((_S625.z + _S629 * distance_2) < _S628))))
         {
         }
         else
         {
             break;
         }
-        var _S628 : vec3<f32> = _S621 + _S622 * vec3<f32>(distance_2);
-        var _S629 : Probe_0 = probe_0(_S619, _S628.x, _S628.y, _S623, _S627.right_1, _S627.up_1);
-        var _S630 : f32 = _S628.z;
-        var _S631 : f32 = _S630 - _S629.height_3;
-        var _S632 : f32 = _S625 - _S629.slope_x_1 * _S622.x - _S629.slope_y_1 * _S622.y;
-        if(((!_S629.hole_1) & ((_S631 < 0.0f))))
+        var _S632 : vec3<f32> = _S625 + _S626 * vec3<f32>(distance_2);
+        var _S633 : Probe_0 = probe_0(_S623, _S632.x, _S632.y, _S627, _S631.right_1, _S631.up_1);
+        var _S634 : f32 = _S632.z;
+        var _S635 : f32 = _S634 - _S633.height_3;
+        var _S636 : f32 = _S629 - _S633.slope_x_1 * _S626.x - _S633.slope_y_1 * _S626.y;
+        if(((!_S633.hole_1) & ((_S635 < 0.0f))))
         {
             return false;
         }
-        var _S633 : f32 = way_back_to_dip_0(previous_3, _S631, _S632, last_step_0, _S629);
-        if(_S633 >= 0.0f)
+        var _S637 : f32 = way_back_to_dip_0(previous_3, _S635, _S636, last_step_0, _S633);
+        if(_S637 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S633;
-            distance_2 = distance_2 - _S633;
+            var last_step_1 : f32 = last_step_0 - _S637;
+            distance_2 = distance_2 - _S637;
             last_step_0 = last_step_1;
             count_4 = count_4 + u32(1);
             continue;
         }
-        var _S634 : bool = _S630 > (_S629.cell_max_0);
-        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S627, _S629, _S631, _S632), max(StepControl_to_cell_exit_0(_S627, _S629.side_x_0, _S629.side_y_0), _S626), _S634);
+        var _S638 : bool = _S634 > (_S633.cell_max_0);
+        var last_step_2 : f32 = select(StepControl_to_next_sample_0(_S631, _S633, _S635, _S636), max(StepControl_to_cell_exit_0(_S631, _S633.side_x_0, _S633.side_y_0), _S630), _S638);
         var distance_3 : f32 = distance_2 + last_step_2;
-        previous_3 = after_sample_0(_S631, _S632, _S629, _S634);
+        previous_3 = after_sample_0(_S635, _S636, _S633, _S638);
         distance_2 = distance_3;
         last_step_0 = last_step_2;
         count_4 = count_4 + u32(1);
@@ -3430,13 +3446,13 @@ fn is_free_0( _S619 : u32,  _S620 : SearchQuality_0,  _S621 : vec3<f32>,  _S622 
     return true;
 }
 
-fn passes_through_0( _S635 : u32,  _S636 : SearchQuality_0,  _S637 : f32,  _S638 : f32,  _S639 : vec3<f32>,  _S640 : bool) -> bool
+fn passes_through_0( _S639 : u32,  _S640 : SearchQuality_0,  _S641 : f32,  _S642 : f32,  _S643 : vec3<f32>,  _S644 : bool) -> bool
 {
-    if(!sample_at_0(_S635, _S637, _S638, _S640).shown_2.hole_0)
+    if(!sample_at_0(_S639, _S641, _S642, _S644).shown_2.hole_0)
     {
         return false;
     }
-    var _S641 : vec3<f32> = vec3<f32>(_S637, _S638, 0.0f);
+    var _S645 : vec3<f32> = vec3<f32>(_S641, _S642, 0.0f);
     var passes_0 : bool = true;
     var side_3 : u32 = u32(0);
     for(;;)
@@ -3448,10 +3464,10 @@ fn passes_through_0( _S635 : u32,  _S636 : SearchQuality_0,  _S637 : f32,  _S638
         {
             break;
         }
-        var _S642 : bool = is_free_0(_S635, _S636, _S641, select_vector_2(side_3 == u32(0), _S639, vec3<f32>(- _S639.x, - _S639.y, _S639.z)), _S640 != (side_3 == u32(1)), fabrics_0[_S635].height_high_0);
-        var _S643 : u32 = side_3 + u32(1);
-        passes_0 = _S642;
-        side_3 = _S643;
+        var _S646 : bool = is_free_0(_S639, _S640, _S645, select_vector_2(side_3 == u32(0), _S643, vec3<f32>(- _S643.x, - _S643.y, _S643.z)), _S644 != (side_3 == u32(1)), fabrics_0[_S639].height_high_0);
+        var _S647 : u32 = side_3 + u32(1);
+        passes_0 = _S646;
+        side_3 = _S647;
     }
     return passes_0;
 }
@@ -3466,40 +3482,40 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn plane_of_0( _S644 : u32,  _S645 : u32) -> Plane_0
+fn plane_of_0( _S648 : u32,  _S649 : u32) -> Plane_0
 {
-    if(!is_layered_0(_S644))
+    if(!is_layered_0(_S648))
     {
-        return whole_plane_0(_S644);
+        return whole_plane_0(_S648);
     }
-    return plane_at_0(fabrics_0[_S644].plane_records_0 + _S645 * u32(16));
+    return plane_at_0(fabrics_0[_S648].plane_records_0 + _S649 * u32(16));
 }
 
-fn max_height_along_0( _S646 : u32,  _S647 : f32,  _S648 : f32,  _S649 : f32,  _S650 : vec3<f32>,  _S651 : bool) -> f32
+fn max_height_along_0( _S650 : u32,  _S651 : f32,  _S652 : f32,  _S653 : f32,  _S654 : vec3<f32>,  _S655 : bool) -> f32
 {
-    var _S652 : f32 = _S650.x;
-    var _S653 : f32 = _S650.y;
-    var _S654 : u32 = select(u32(0), u32(1), _S652 > 0.0f) + select(u32(0), u32(2), _S653 > 0.0f);
-    var _S655 : f32 = max(abs(_S652) * fabrics_0[_S646].threads_per_x_0, abs(_S653) * fabrics_0[_S646].threads_per_y_0) / _S650.z;
+    var _S656 : f32 = _S654.x;
+    var _S657 : f32 = _S654.y;
+    var _S658 : u32 = select(u32(0), u32(1), _S656 > 0.0f) + select(u32(0), u32(2), _S657 > 0.0f);
+    var _S659 : f32 = max(abs(_S656) * fabrics_0[_S650].threads_per_x_0, abs(_S657) * fabrics_0[_S650].threads_per_y_0) / _S654.z;
     var levels_4 : vec4<f32> = vec4<f32>(-1.00000001504746622e+30f);
     var number_8 : u32 = u32(0);
     for(;;)
     {
-        if(number_8 < (plane_count_0(_S646)))
+        if(number_8 < (plane_count_0(_S650)))
         {
         }
         else
         {
             break;
         }
-        var _S656 : Plane_0 = plane_of_0(_S646, number_8);
-        var _S657 : u32 = (words_0[_S656.max_heights_1 + u32(4) * (locate_0(_S656.weft_1, _S648 - _S656.start_y_0).thread_1 / u32(2) * _S656.max_height_columns_1 + locate_0(_S656.warp_1, _S647 - _S656.start_x_0).thread_1 / u32(2)) + _S654] >> (u32(select(i32(0), i32(4), _S651))));
-        var _S658 : vec4<f32> = max(levels_4, vec4<f32>(f32((_S657 & (u32(15)))), f32((((_S657 >> (u32(8)))) & (u32(15)))), f32((((_S657 >> (u32(16)))) & (u32(15)))), f32((((_S657 >> (u32(24)))) & (u32(15))))) * vec4<f32>(0.06666667014360428f) * vec4<f32>(_S656.height_high_1) + vec4<f32>(select(_S656.front_level_0, _S656.back_level_0, _S651)));
-        var _S659 : u32 = number_8 + u32(1);
-        levels_4 = _S658;
-        number_8 = _S659;
+        var _S660 : Plane_0 = plane_of_0(_S650, number_8);
+        var _S661 : u32 = (words_0[_S660.max_heights_1 + u32(4) * (locate_0(_S660.weft_1, _S652 - _S660.start_y_0).thread_1 / u32(2) * _S660.max_height_columns_1 + locate_0(_S660.warp_1, _S651 - _S660.start_x_0).thread_1 / u32(2)) + _S658] >> (u32(select(i32(0), i32(4), _S655))));
+        var _S662 : vec4<f32> = max(levels_4, vec4<f32>(f32((_S661 & (u32(15)))), f32((((_S661 >> (u32(8)))) & (u32(15)))), f32((((_S661 >> (u32(16)))) & (u32(15)))), f32((((_S661 >> (u32(24)))) & (u32(15))))) * vec4<f32>(0.06666667014360428f) * vec4<f32>(_S660.height_high_1) + vec4<f32>(select(_S660.front_level_0, _S660.back_level_0, _S655)));
+        var _S663 : u32 = number_8 + u32(1);
+        levels_4 = _S662;
+        number_8 = _S663;
     }
-    var max_height_0 : f32 = fabrics_0[_S646].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S650].height_high_0;
     var number_9 : i32 = i32(3);
     for(;;)
     {
@@ -3510,7 +3526,7 @@ fn max_height_along_0( _S646 : u32,  _S647 : f32,  _S648 : f32,  _S649 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S649) * _S655) <= (PYRAMID_RADII_0[number_9]))
+        if(((max_height_0 - _S653) * _S659) <= (PYRAMID_RADII_0[number_9]))
         {
             max_height_0 = min(max_height_0, levels_4[number_9]);
         }
@@ -3519,20 +3535,20 @@ fn max_height_along_0( _S646 : u32,  _S647 : f32,  _S648 : f32,  _S649 : f32,  _
     return max_height_0;
 }
 
-fn cell_bounds_0( _S660 : u32,  _S661 : f32,  _S662 : f32,  _S663 : bool,  _S664 : bool,  _S665 : bool) -> vec3<f32>
+fn cell_bounds_0( _S664 : u32,  _S665 : f32,  _S666 : f32,  _S667 : bool,  _S668 : bool,  _S669 : bool) -> vec3<f32>
 {
-    if(is_layered_0(_S660))
+    if(is_layered_0(_S664))
     {
-        return first_bounds_0(_S660, plane_order_0(_S660, _S661, _S662, _S663), _S661, _S662, _S663, _S664, _S665);
+        return first_bounds_0(_S664, plane_order_0(_S664, _S665, _S666, _S667), _S665, _S666, _S667, _S668, _S669);
     }
-    return bounds_in_0(whole_plane_0(_S660), _S661, _S662, _S663, _S664, _S665);
+    return bounds_in_0(whole_plane_0(_S664), _S665, _S666, _S667, _S668, _S669);
 }
 
-fn first_sample_height_0( _S666 : u32,  _S667 : ViewRay_0,  _S668 : StepControl_0,  _S669 : bool) -> f32
+fn first_sample_height_0( _S670 : u32,  _S671 : ViewRay_0,  _S672 : StepControl_0,  _S673 : bool) -> f32
 {
-    var _S670 : f32 = max_height_along_0(_S666, _S667.origin_0.x, _S667.origin_0.y, 0.0f, vec3<f32>(_S667.slope_1, 1.0f), _S669);
+    var _S674 : f32 = max_height_along_0(_S670, _S671.origin_0.x, _S671.origin_0.y, 0.0f, vec3<f32>(_S671.slope_1, 1.0f), _S673);
     var count_5 : u32 = u32(0);
-    var height_7 : f32 = _S670;
+    var height_7 : f32 = _S674;
     for(;;)
     {
         if(count_5 < u32(1024))
@@ -3542,12 +3558,12 @@ fn first_sample_height_0( _S666 : u32,  _S667 : ViewRay_0,  _S668 : StepControl_
         {
             break;
         }
-        var _S671 : vec2<f32> = ViewRay_at_0(_S667, height_7);
-        var _S672 : vec3<f32> = cell_bounds_0(_S666, _S671.x, _S671.y, _S669, _S668.right_1, _S668.up_1);
-        var _S673 : f32 = height_7 - _S672.x;
-        var _S674 : f32 = StepControl_to_cell_exit_0(_S668, _S672.y, _S672.z);
-        var height_8 : f32 = height_7 - clamp(_S673, 0.0f, _S674);
-        if(_S673 <= _S674)
+        var _S675 : vec2<f32> = ViewRay_at_0(_S671, height_7);
+        var _S676 : vec3<f32> = cell_bounds_0(_S670, _S675.x, _S675.y, _S673, _S672.right_1, _S672.up_1);
+        var _S677 : f32 = height_7 - _S676.x;
+        var _S678 : f32 = StepControl_to_cell_exit_0(_S672, _S676.y, _S676.z);
+        var height_8 : f32 = height_7 - clamp(_S677, 0.0f, _S678);
+        if(_S677 <= _S678)
         {
             height_7 = height_8;
             break;
@@ -3558,12 +3574,12 @@ fn first_sample_height_0( _S666 : u32,  _S667 : ViewRay_0,  _S668 : StepControl_
     return height_7;
 }
 
-fn search_down_0( _S675 : u32,  _S676 : ViewRay_0,  _S677 : StepControl_0,  _S678 : bool) -> ViewRayEnd_0
+fn search_down_0( _S679 : u32,  _S680 : ViewRay_0,  _S681 : StepControl_0,  _S682 : bool) -> ViewRayEnd_0
 {
-    var _S679 : f32 = fabrics_0[_S675].height_low_0 - (fabrics_0[_S675].height_high_0 - fabrics_0[_S675].height_low_0);
+    var _S683 : f32 = fabrics_0[_S679].height_low_0 - (fabrics_0[_S679].height_high_0 - fabrics_0[_S679].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S675, _S676, _S677, _S678);
-    end_1.last_step_3 = _S677.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S679, _S680, _S681, _S682);
+    end_1.last_step_3 = _S681.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_0 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -3578,140 +3594,140 @@ fn search_down_0( _S675 : u32,  _S676 : ViewRay_0,  _S677 : StepControl_0,  _S67
         {
             break;
         }
-        var _S680 : vec2<f32> = ViewRay_at_0(_S676, end_1.height_6);
-        var _S681 : Probe_0 = probe_0(_S675, _S680.x, _S680.y, _S678, _S677.right_1, _S677.up_1);
-        var _S682 : f32 = end_1.height_6 - _S681.height_3;
-        var _S683 : f32 = ViewRay_rate_0(_S676, _S681);
-        end_1.depth_0 = - _S682;
-        end_1.rate_4 = _S683;
-        var _S684 : bool = !_S681.hole_1;
-        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S684))) & (((end_1.previous_4.yarn_0) == (_S681.yarn_1))));
-        if((((_S684 & ((_S682 <= 0.0f)))) | (((end_1.height_6) <= _S679))))
+        var _S684 : vec2<f32> = ViewRay_at_0(_S680, end_1.height_6);
+        var _S685 : Probe_0 = probe_0(_S679, _S684.x, _S684.y, _S682, _S681.right_1, _S681.up_1);
+        var _S686 : f32 = end_1.height_6 - _S685.height_3;
+        var _S687 : f32 = ViewRay_rate_0(_S680, _S685);
+        end_1.depth_0 = - _S686;
+        end_1.rate_4 = _S687;
+        var _S688 : bool = !_S685.hole_1;
+        end_1.smooth_0 = ((((end_1.previous_4.known_0) & (_S688))) & (((end_1.previous_4.yarn_0) == (_S685.yarn_1))));
+        if((((_S688 & ((_S686 <= 0.0f)))) | (((end_1.height_6) <= _S683))))
         {
             break;
         }
-        var _S685 : f32 = way_back_to_dip_0(end_1.previous_4, _S682, _S683, end_1.last_step_3, _S681);
-        if(_S685 >= 0.0f)
+        var _S689 : f32 = way_back_to_dip_0(end_1.previous_4, _S686, _S687, end_1.last_step_3, _S685);
+        if(_S689 >= 0.0f)
         {
-            end_1.height_6 = end_1.height_6 + _S685;
-            end_1.last_step_3 = end_1.last_step_3 - _S685;
+            end_1.height_6 = end_1.height_6 + _S689;
+            end_1.last_step_3 = end_1.last_step_3 - _S689;
             count_6 = count_6 + u32(1);
             continue;
         }
-        var _S686 : f32 = min(StepControl_to_cell_exit_0(_S677, _S681.side_x_0, _S681.side_y_0), end_1.height_6 - _S681.cell_max_0);
-        var _S687 : f32 = StepControl_to_next_sample_0(_S677, _S681, _S682, _S683);
-        end_1.previous_4 = after_sample_0(_S682, _S683, _S681, _S686 > _S687);
-        var _S688 : f32 = max(_S686, _S687);
-        end_1.last_step_3 = _S688;
-        end_1.height_6 = end_1.height_6 - _S688;
+        var _S690 : f32 = min(StepControl_to_cell_exit_0(_S681, _S685.side_x_0, _S685.side_y_0), end_1.height_6 - _S685.cell_max_0);
+        var _S691 : f32 = StepControl_to_next_sample_0(_S681, _S685, _S686, _S687);
+        end_1.previous_4 = after_sample_0(_S686, _S687, _S685, _S690 > _S691);
+        var _S692 : f32 = max(_S690, _S691);
+        end_1.last_step_3 = _S692;
+        end_1.height_6 = end_1.height_6 - _S692;
         count_6 = count_6 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S689 : u32,  _S690 : ViewRay_0,  _S691 : StepControl_0,  _S692 : bool,  _S693 : ViewRayEnd_0,  _S694 : u32) -> f32
+fn refined_height_0( _S693 : u32,  _S694 : ViewRay_0,  _S695 : StepControl_0,  _S696 : bool,  _S697 : ViewRayEnd_0,  _S698 : u32) -> f32
 {
-    var _S695 : f32 = fabrics_0[_S689].height_high_0 - fabrics_0[_S689].height_low_0;
-    var above_2 : f32 = _S693.height_6 + _S693.last_step_3;
-    var above_gap_1 : f32 = clamp(_S693.previous_4.clearance_0, 0.0f, _S695);
-    var under_gap_1 : f32 = clamp(_S693.depth_0, 0.0f, _S695);
-    var middle_0 : f32 = select(between_0(above_2, _S693.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S693.previous_4.rate_0 * _S693.last_step_3, _S693.rate_4 * _S693.last_step_3) * _S693.last_step_3, _S693.smooth_0);
+    var _S699 : f32 = fabrics_0[_S693].height_high_0 - fabrics_0[_S693].height_low_0;
+    var above_2 : f32 = _S697.height_6 + _S697.last_step_3;
+    var above_gap_1 : f32 = clamp(_S697.previous_4.clearance_0, 0.0f, _S699);
+    var under_gap_1 : f32 = clamp(_S697.depth_0, 0.0f, _S699);
+    var middle_0 : f32 = select(between_0(above_2, _S697.height_6, above_gap_1, under_gap_1), above_2 - cubic_root_0(above_gap_1, - under_gap_1, _S697.previous_4.rate_0 * _S697.last_step_3, _S697.rate_4 * _S697.last_step_3) * _S697.last_step_3, _S697.smooth_0);
     var side_4 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S693.height_6;
+    var under_1 : f32 = _S697.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S694)
+        if(i_1 < _S698)
         {
         }
         else
         {
             break;
         }
-        var _S696 : vec2<f32> = ViewRay_at_0(_S690, middle_0);
-        var _S697 : Probe_0 = probe_0(_S689, _S696.x, _S696.y, _S692, _S691.right_1, _S691.up_1);
-        var _S698 : f32 = clamp(middle_0 - select(_S697.height_3, -1.0e+09f, _S697.hole_1), - _S695, _S695);
-        if(_S698 <= 0.0f)
+        var _S700 : vec2<f32> = ViewRay_at_0(_S694, middle_0);
+        var _S701 : Probe_0 = probe_0(_S693, _S700.x, _S700.y, _S696, _S695.right_1, _S695.up_1);
+        var _S702 : f32 = clamp(middle_0 - select(_S701.height_3, -1.0e+09f, _S701.hole_1), - _S699, _S699);
+        if(_S702 <= 0.0f)
         {
-            var _S699 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_4 > 0.0f);
-            var _S700 : f32 = - _S698;
+            var _S703 : f32 = select(above_gap_2, 0.5f * above_gap_2, side_4 > 0.0f);
+            var _S704 : f32 = - _S702;
             under_1 = middle_0;
-            above_gap_2 = _S699;
-            under_gap_2 = _S700;
+            above_gap_2 = _S703;
+            under_gap_2 = _S704;
             side_4 = 1.0f;
         }
         else
         {
-            var _S701 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_4 < 0.0f);
+            var _S705 : f32 = select(under_gap_2, 0.5f * under_gap_2, side_4 < 0.0f);
             above_3 = middle_0;
-            above_gap_2 = _S698;
-            under_gap_2 = _S701;
+            above_gap_2 = _S702;
+            under_gap_2 = _S705;
             side_4 = -1.0f;
         }
-        var _S702 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S698 / min(ViewRay_rate_0(_S690, _S697), -9.99999997475242708e-07f), under_1, above_3), _S693.smooth_0);
-        var _S703 : u32 = i_1 + u32(1);
-        middle_0 = _S702;
-        i_1 = _S703;
+        var _S706 : f32 = select(between_0(above_3, under_1, above_gap_2, under_gap_2), clamp(middle_0 + _S702 / min(ViewRay_rate_0(_S694, _S701), -9.99999997475242708e-07f), under_1, above_3), _S697.smooth_0);
+        var _S707 : u32 = i_1 + u32(1);
+        middle_0 = _S706;
+        i_1 = _S707;
     }
-    return select(under_1, middle_0, _S693.smooth_0);
+    return select(under_1, middle_0, _S697.smooth_0);
 }
 
-fn first_hit_of_yarn_0( _S704 : u32,  _S705 : SearchQuality_0,  _S706 : f32,  _S707 : f32,  _S708 : vec3<f32>,  _S709 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S708 : u32,  _S709 : SearchQuality_0,  _S710 : f32,  _S711 : f32,  _S712 : vec3<f32>,  _S713 : bool) -> Hit_0
 {
-    var _S710 : f32 = max(_S708.z, 0.00009999999747379f);
+    var _S714 : f32 = max(_S712.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S706, _S707);
-    var _S711 : vec2<f32> = _S708.xy / vec2<f32>(_S710);
-    ray_0.slope_1 = _S711;
-    var _S712 : StepControl_0 = step_control_0((vec2<f32>(0) - _S711), 1.0f / max(steps_per_length_0(_S704, _S705, _S708) / _S710, 9.99999971718068537e-10f));
-    var _S713 : ViewRayEnd_0 = search_down_0(_S704, ray_0, _S712, _S709);
+    ray_0.origin_0 = vec2<f32>(_S710, _S711);
+    var _S715 : vec2<f32> = _S712.xy / vec2<f32>(_S714);
+    ray_0.slope_1 = _S715;
+    var _S716 : StepControl_0 = step_control_0((vec2<f32>(0) - _S715), 1.0f / max(steps_per_length_0(_S708, _S709, _S712) / _S714, 9.99999971718068537e-10f));
+    var _S717 : ViewRayEnd_0 = search_down_0(_S708, ray_0, _S716, _S713);
     var hit_0 : Hit_0;
     hit_0.hole_3 = false;
-    var _S714 : f32 = refined_height_0(_S704, ray_0, _S712, _S709, _S713, _S705.refinements_0);
-    hit_0.height_5 = _S714;
-    var _S715 : vec2<f32> = ViewRay_at_0(ray_0, _S714);
-    hit_0.x_16 = _S715.x;
-    hit_0.y_8 = _S715.y;
+    var _S718 : f32 = refined_height_0(_S708, ray_0, _S716, _S713, _S717, _S709.refinements_0);
+    hit_0.height_5 = _S718;
+    var _S719 : vec2<f32> = ViewRay_at_0(ray_0, _S718);
+    hit_0.x_16 = _S719.x;
+    hit_0.y_8 = _S719.y;
     return hit_0;
 }
 
-fn first_hit_0( _S716 : u32,  _S717 : SearchQuality_0,  _S718 : f32,  _S719 : f32,  _S720 : vec3<f32>,  _S721 : bool) -> Hit_0
+fn first_hit_0( _S720 : u32,  _S721 : SearchQuality_0,  _S722 : f32,  _S723 : f32,  _S724 : vec3<f32>,  _S725 : bool) -> Hit_0
 {
-    if(!passes_through_0(_S716, _S717, _S718, _S719, _S720, _S721))
+    if(!passes_through_0(_S720, _S721, _S722, _S723, _S724, _S725))
     {
-        return first_hit_of_yarn_0(_S716, _S717, _S718, _S719, _S720, _S721);
+        return first_hit_of_yarn_0(_S720, _S721, _S722, _S723, _S724, _S725);
     }
     var hit_1 : Hit_0;
-    hit_1.x_16 = _S718;
-    hit_1.y_8 = _S719;
+    hit_1.x_16 = _S722;
+    hit_1.y_8 = _S723;
     hit_1.height_5 = 0.0f;
     hit_1.hole_3 = true;
     return hit_1;
 }
 
-fn taps_at_yarns_0( _S722 : u32,  _S723 : Footprint_0,  _S724 : AnisotropicTaps_0,  _S725 : vec3<f32>,  _S726 : bool) -> AnisotropicTaps_0
+fn taps_at_yarns_0( _S726 : u32,  _S727 : Footprint_0,  _S728 : AnisotropicTaps_0,  _S729 : vec3<f32>,  _S730 : bool) -> AnisotropicTaps_0
 {
-    var _S727 : f32 = 1.0f - clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(_S724), 9.99999997475242708e-07f) / 0.25f) * 0.48089835047721863f, 0.0f, 1.0f);
-    if(_S727 <= 0.0f)
+    var _S731 : f32 = 1.0f - clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(_S728), 9.99999997475242708e-07f) / 0.25f) * 0.48089835047721863f, 0.0f, 1.0f);
+    if(_S731 <= 0.0f)
     {
-        return _S724;
+        return _S728;
     }
-    var _S728 : Hit_0 = first_hit_0(_S722, default_quality_0(), _S723.centre_0.x, _S723.centre_0.y, _S725, _S726);
-    if(_S728.hole_3)
+    var _S732 : Hit_0 = first_hit_0(_S726, default_quality_0(), _S727.centre_0.x, _S727.centre_0.y, _S729, _S730);
+    if(_S732.hole_3)
     {
-        return _S724;
+        return _S728;
     }
-    var moved_2 : AnisotropicTaps_0 = _S724;
-    moved_2.centre_1 = moved_2.centre_1 + vec2<f32>(_S727) * vec2<f32>(fabrics_0[_S722].neural_0.ends_per_mm_0, fabrics_0[_S722].neural_0.picks_per_mm_0) * (vec2<f32>(_S728.x_16, _S728.y_8) - _S723.centre_0);
+    var moved_2 : AnisotropicTaps_0 = _S728;
+    moved_2.centre_1 = moved_2.centre_1 + vec2<f32>(_S731) * vec2<f32>(fabrics_0[_S726].neural_0.ends_per_mm_0, fabrics_0[_S726].neural_0.picks_per_mm_0) * (vec2<f32>(_S732.x_16, _S732.y_8) - _S727.centre_0);
     return moved_2;
 }
 
-fn add_texel_0( _S729 : u32,  _S730 : u32,  _S731 : f32,  _S732 : ptr<function, array<f32, i32(88)>>)
+fn add_texel_0( _S733 : u32,  _S734 : u32,  _S735 : f32,  _S736 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S733 : u32 = fabrics_0[_S729].neural_0.latents_0 + _S730 * u32(8);
+    var _S737 : u32 = fabrics_0[_S733].neural_0.latents_0 + _S734 * u32(8);
     var part_0 : u32 = u32(0);
     for(;;)
     {
@@ -3722,34 +3738,34 @@ fn add_texel_0( _S729 : u32,  _S730 : u32,  _S731 : f32,  _S732 : ptr<function, 
         {
             break;
         }
-        var _S734 : Eight_0 = eight_halves_0(packed_numbers_0[_S733 + part_0]);
-        var _S735 : i32 = i32(u32(8) * part_0);
-        (*_S732)[_S735] = (*_S732)[_S735] + _S731 * _S734.low_0[i32(0)];
-        (*_S732)[_S735 + i32(4)] = (*_S732)[_S735 + i32(4)] + _S731 * _S734.high_0[i32(0)];
-        var _S736 : i32 = _S735 + i32(1);
-        (*_S732)[_S736] = (*_S732)[_S736] + _S731 * _S734.low_0[i32(1)];
-        (*_S732)[_S736 + i32(4)] = (*_S732)[_S736 + i32(4)] + _S731 * _S734.high_0[i32(1)];
-        var _S737 : i32 = _S735 + i32(2);
-        (*_S732)[_S737] = (*_S732)[_S737] + _S731 * _S734.low_0[i32(2)];
-        (*_S732)[_S737 + i32(4)] = (*_S732)[_S737 + i32(4)] + _S731 * _S734.high_0[i32(2)];
-        var _S738 : i32 = _S735 + i32(3);
-        (*_S732)[_S738] = (*_S732)[_S738] + _S731 * _S734.low_0[i32(3)];
-        (*_S732)[_S738 + i32(4)] = (*_S732)[_S738 + i32(4)] + _S731 * _S734.high_0[i32(3)];
+        var _S738 : Eight_0 = eight_halves_0(packed_numbers_0[_S737 + part_0]);
+        var _S739 : i32 = i32(u32(8) * part_0);
+        (*_S736)[_S739] = (*_S736)[_S739] + _S735 * _S738.low_0[i32(0)];
+        (*_S736)[_S739 + i32(4)] = (*_S736)[_S739 + i32(4)] + _S735 * _S738.high_0[i32(0)];
+        var _S740 : i32 = _S739 + i32(1);
+        (*_S736)[_S740] = (*_S736)[_S740] + _S735 * _S738.low_0[i32(1)];
+        (*_S736)[_S740 + i32(4)] = (*_S736)[_S740 + i32(4)] + _S735 * _S738.high_0[i32(1)];
+        var _S741 : i32 = _S739 + i32(2);
+        (*_S736)[_S741] = (*_S736)[_S741] + _S735 * _S738.low_0[i32(2)];
+        (*_S736)[_S741 + i32(4)] = (*_S736)[_S741 + i32(4)] + _S735 * _S738.high_0[i32(2)];
+        var _S742 : i32 = _S739 + i32(3);
+        (*_S736)[_S742] = (*_S736)[_S742] + _S735 * _S738.low_0[i32(3)];
+        (*_S736)[_S742 + i32(4)] = (*_S736)[_S742 + i32(4)] + _S735 * _S738.high_0[i32(3)];
         part_0 = part_0 + u32(1);
     }
     return;
 }
 
-fn add_level_0( _S739 : u32,  _S740 : u32,  _S741 : bool,  _S742 : vec2<f32>,  _S743 : f32,  _S744 : ptr<function, array<f32, i32(88)>>)
+fn add_level_0( _S743 : u32,  _S744 : u32,  _S745 : bool,  _S746 : vec2<f32>,  _S747 : f32,  _S748 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S745 : Neural_std430_0 = fabrics_0[_S739].neural_0;
-    var _S746 : u32 = fabrics_0[_S739].neural_0.levels_1 + u32(4) * _S740;
-    var _S747 : f32 = table_number_0(_S746);
-    var _S748 : f32 = table_number_0(_S746 + u32(1));
-    var _S749 : f32 = table_number_0(_S746 + u32(2));
-    var _S750 : vec2<f32> = _S742 * vec2<f32>(table_number_0(_S746 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S740 > u32(3)) & ((_S740 < (fabrics_0[_S739].neural_0.top_level_0))))));
-    var _S751 : vec2<f32> = floor(_S750);
-    var _S752 : vec2<f32> = _S750 - _S751;
+    var _S749 : Neural_std430_0 = fabrics_0[_S743].neural_0;
+    var _S750 : u32 = fabrics_0[_S743].neural_0.levels_1 + u32(4) * _S744;
+    var _S751 : f32 = table_number_0(_S750);
+    var _S752 : f32 = table_number_0(_S750 + u32(1));
+    var _S753 : f32 = table_number_0(_S750 + u32(2));
+    var _S754 : vec2<f32> = _S746 * vec2<f32>(table_number_0(_S750 + u32(3))) - vec2<f32>(select(0.5f, 1.0f, ((_S744 > u32(3)) & ((_S744 < (fabrics_0[_S743].neural_0.top_level_0))))));
+    var _S755 : vec2<f32> = floor(_S754);
+    var _S756 : vec2<f32> = _S754 - _S755;
     var corner_1 : u32 = u32(0);
     for(;;)
     {
@@ -3760,16 +3776,16 @@ fn add_level_0( _S739 : u32,  _S740 : u32,  _S741 : bool,  _S742 : vec2<f32>,  _
         {
             break;
         }
-        var _S753 : f32 = f32((corner_1 & (u32(1))));
-        var _S754 : f32 = f32((corner_1 >> (u32(1))));
-        var _S755 : vec2<f32> = mix(vec2<f32>(1.0f) - _S752, _S752, vec2<f32>(_S753, _S754));
-        add_texel_0(_S739, u32(_S747 + wrapped_0(_S751.y + _S754, _S749) * _S748 + wrapped_0(_S751.x + _S753, _S748)) + select(u32(0), _S745.texels_0, _S741), _S743 * _S755.x * _S755.y, &((*_S744)));
+        var _S757 : f32 = f32((corner_1 & (u32(1))));
+        var _S758 : f32 = f32((corner_1 >> (u32(1))));
+        var _S759 : vec2<f32> = mix(vec2<f32>(1.0f) - _S756, _S756, vec2<f32>(_S757, _S758));
+        add_texel_0(_S743, u32(_S751 + wrapped_0(_S755.y + _S758, _S753) * _S752 + wrapped_0(_S755.x + _S757, _S752)) + select(u32(0), _S749.texels_0, _S745), _S747 * _S759.x * _S759.y, &((*_S748)));
         corner_1 = corner_1 + u32(1);
     }
     return;
 }
 
-fn code_footprint_0( _S756 : u32,  _S757 : AnisotropicTaps_0,  _S758 : vec3<f32>,  _S759 : bool,  _S760 : ptr<function, array<f32, i32(88)>>)
+fn code_footprint_0( _S760 : u32,  _S761 : AnisotropicTaps_0,  _S762 : vec3<f32>,  _S763 : bool,  _S764 : ptr<function, array<f32, i32(88)>>)
 {
     var k_0 : i32 = i32(0);
     for(;;)
@@ -3781,28 +3797,28 @@ fn code_footprint_0( _S756 : u32,  _S757 : AnisotropicTaps_0,  _S758 : vec3<f32>
         {
             break;
         }
-        (*_S760)[k_0] = 0.0f;
+        (*_S764)[k_0] = 0.0f;
         k_0 = k_0 + i32(1);
     }
-    var _S761 : vec2<f32> = vec2<f32>(fabrics_0[_S756].neural_0.ends_0, fabrics_0[_S756].neural_0.picks_0);
-    var _S762 : f32 = f32(fabrics_0[_S756].neural_0.top_level_0);
-    var _S763 : f32 = clamp(binary_logarithm_0(max(_S757.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S762);
-    var _S764 : f32 = min(floor(_S763), _S762 - 1.0f);
-    var _S765 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S757));
+    var _S765 : vec2<f32> = vec2<f32>(fabrics_0[_S760].neural_0.ends_0, fabrics_0[_S760].neural_0.picks_0);
+    var _S766 : f32 = f32(fabrics_0[_S760].neural_0.top_level_0);
+    var _S767 : f32 = clamp(binary_logarithm_0(max(_S761.side_2, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S766);
+    var _S768 : f32 = min(floor(_S767), _S766 - 1.0f);
+    var _S769 : u32 = select(u32(1), u32(4), AnisotropicTaps_has_steps_0(_S761));
     var number_10 : u32 = u32(0);
     for(;;)
     {
-        if(number_10 < (u32(2) * _S765))
+        if(number_10 < (u32(2) * _S769))
         {
         }
         else
         {
             break;
         }
-        var _S766 : vec2<f32> = AnisotropicTaps_place_0(_S757, (number_10 >> (u32(1))));
-        var _S767 : bool = ((number_10 & (u32(1)))) != u32(0);
-        var _S768 : f32 = _S763 - _S764;
-        add_level_0(_S756, u32(_S764) + select(u32(0), u32(1), _S767), _S759, clamp(_S766 - _S761 * floor(_S766 / _S761), vec2<f32>(0.0f), _S761), select(1.0f - _S768, _S768, _S767) / f32(_S765), &((*_S760)));
+        var _S770 : vec2<f32> = AnisotropicTaps_place_0(_S761, (number_10 >> (u32(1))));
+        var _S771 : bool = ((number_10 & (u32(1)))) != u32(0);
+        var _S772 : f32 = _S767 - _S768;
+        add_level_0(_S760, u32(_S768) + select(u32(0), u32(1), _S771), _S763, clamp(_S770 - _S765 * floor(_S770 / _S765), vec2<f32>(0.0f), _S765), select(1.0f - _S772, _S772, _S771) / f32(_S769), &((*_S764)));
         number_10 = number_10 + u32(1);
     }
     var number_11 : i32 = i32(0);
@@ -3825,7 +3841,7 @@ fn code_footprint_0( _S756 : u32,  _S757 : AnisotropicTaps_0,  _S758 : vec3<f32>
             {
                 break;
             }
-            var offset_1 : f32 = _S758[number_11] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_1 : f32 = _S762[number_11] - (f32(bin_0) + 0.5f) / 8.0f;
             var offset_2 : f32;
             if(number_11 < i32(2))
             {
@@ -3835,7 +3851,7 @@ fn code_footprint_0( _S756 : u32,  _S757 : AnisotropicTaps_0,  _S758 : vec3<f32>
             {
                 offset_2 = offset_1;
             }
-            (*_S760)[i32(64) + number_11 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
+            (*_S764)[i32(64) + number_11 * i32(8) + bin_0] = bump_0(offset_2 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
         number_11 = number_11 + i32(1);
@@ -3843,194 +3859,200 @@ fn code_footprint_0( _S756 : u32,  _S757 : AnisotropicTaps_0,  _S758 : vec3<f32>
     return;
 }
 
-fn crown_fibres_0( _S769 : u32,  _S770 : bool,  _S771 : bool) -> vec3<f32>
+fn crown_fibres_0( _S773 : u32,  _S774 : bool,  _S775 : bool) -> vec3<f32>
 {
-    if(_S770)
+    if(_S774)
     {
-        return vec3<f32>(select(1.0f, -1.0f, _S771) * fabrics_0[_S769].neural_0.warp_x_0, fabrics_0[_S769].neural_0.warp_y_0, fabrics_0[_S769].neural_0.warp_roughness_0);
+        return vec3<f32>(select(1.0f, -1.0f, _S775) * fabrics_0[_S773].neural_0.warp_x_0, fabrics_0[_S773].neural_0.warp_y_0, fabrics_0[_S773].neural_0.warp_roughness_0);
     }
-    return vec3<f32>(fabrics_0[_S769].neural_0.weft_x_0, select(1.0f, -1.0f, _S771) * fabrics_0[_S769].neural_0.weft_y_0, fabrics_0[_S769].neural_0.weft_roughness_0);
+    return vec3<f32>(fabrics_0[_S773].neural_0.weft_x_0, select(1.0f, -1.0f, _S775) * fabrics_0[_S773].neural_0.weft_y_0, fabrics_0[_S773].neural_0.weft_roughness_0);
 }
 
-fn yarns_over_0( _S772 : u32,  _S773 : Footprint_0,  _S774 : bool) -> Yarns_0
+fn yarns_over_0( _S776 : u32,  _S777 : Footprint_0,  _S778 : bool) -> Yarns_0
 {
-    var _S775 : vec2<f32> = _S773.dx_0;
-    var _S776 : vec2<f32> = _S773.dy_0;
-    var _S777 : vec2<f32> = sqrt(_S775 * _S775 + _S776 * _S776);
-    var _S778 : f32 = Footprint_spread_side_0(_S773);
-    var _S779 : vec4<f32> = vec4<f32>(0.0f);
-    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S779, _S779, vec3<f32>(0.0f));
-    var _S780 : bool = (fabrics_0[_S772].is_irregular_0) != u32(0);
+    var _S779 : vec2<f32> = _S777.dx_0;
+    var _S780 : vec2<f32> = _S777.dy_0;
+    var _S781 : vec2<f32> = sqrt(_S779 * _S779 + _S780 * _S780);
+    var _S782 : f32 = Footprint_spread_side_0(_S777);
+    var _S783 : vec4<f32> = vec4<f32>(0.0f);
+    var yarns_1 : Yarns_0 = Yarns_x24init_0(_S783, _S783, vec3<f32>(0.0f));
+    var _S784 : bool = (fabrics_0[_S776].is_irregular_0) != u32(0);
     var number_12 : u32 = u32(0);
     for(;;)
     {
-        if(number_12 < select(u32(0), u32(2), _S780))
+        if(number_12 < select(u32(0), u32(2), _S784))
         {
         }
         else
         {
             break;
         }
-        var _S781 : bool = number_12 == u32(0);
-        var _S782 : u32 = select(fabrics_0[_S772].weft_0, fabrics_0[_S772].warp_0, _S781);
-        var _S783 : vec2<f32> = select_vector_1(_S781, _S773.centre_0, _S773.centre_0.yx);
-        var _S784 : vec2<f32> = select_vector_1(_S781, _S777, _S777.yx);
-        var _S785 : f32 = _S783.x;
-        var _S786 : Cell_0 = locate_0(_S782, _S785);
-        var yarn_3 : vec4<f32> = irregular_over_0(_S782, irregular_key_0(_S772, number_12), irregular_thread_0(_S782, _S785, _S786) + _S786.below_0 / (_S786.below_0 + _S786.above_0), _S784.x * (families_0[_S782].count_0 / families_0[_S782].period_0), _S783.y, _S784.y);
-        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S782, _S778));
+        var _S785 : bool = number_12 == u32(0);
+        var _S786 : u32 = select(fabrics_0[_S776].weft_0, fabrics_0[_S776].warp_0, _S785);
+        var _S787 : vec2<f32> = select_vector_1(_S785, _S777.centre_0, _S777.centre_0.yx);
+        var _S788 : vec2<f32> = select_vector_1(_S785, _S781, _S781.yx);
+        var _S789 : f32 = _S787.x;
+        var _S790 : Cell_0 = locate_0(_S786, _S789);
+        var yarn_3 : vec4<f32> = irregular_over_0(_S786, irregular_key_0(_S776, number_12), irregular_thread_0(_S786, _S789, _S790) + _S790.below_0 / (_S790.below_0 + _S790.above_0), _S788.x * (families_0[_S786].count_0 / families_0[_S786].period_0), _S787.y, _S788.y);
+        yarn_3[i32(1)] = yarn_3[i32(1)] * (1.0f - moved_share_0(_S786, _S782));
         yarns_1.warp_3 = yarns_1.weft_3;
         yarns_1.weft_3 = yarn_3;
         number_12 = number_12 + u32(1);
     }
-    var _S787 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S772].warp_0].cover_0, families_0[fabrics_0[_S772].weft_0].cover_0);
-    var _S788 : f32 = select(fabrics_0[_S772].warp_on_top_0, 1.0f - fabrics_0[_S772].warp_on_top_0, _S774);
-    var _S789 : vec3<f32> = shown_of_covers_0(_S787, _S788);
-    var _S790 : vec3<f32> = select_vector_2(_S780, shown_of_covers_0(saturate(_S787 + _S787 * vec2<f32>(yarns_1.warp_3.y, yarns_1.weft_3.y)), _S788) / max(_S789, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
-    yarns_1.shares_0 = _S790;
-    yarns_1.shares_0[i32(2)] = select(1.0f, _S790.z, (_S789.z) > 0.00009999999747379f);
+    var _S791 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S776].warp_0].cover_0, families_0[fabrics_0[_S776].weft_0].cover_0);
+    var _S792 : f32 = select(fabrics_0[_S776].warp_on_top_0, 1.0f - fabrics_0[_S776].warp_on_top_0, _S778);
+    var _S793 : vec3<f32> = shown_of_covers_0(_S791, _S792);
+    var _S794 : vec3<f32> = select_vector_2(_S784, shown_of_covers_0(saturate(_S791 + _S791 * vec2<f32>(yarns_1.warp_3.y, yarns_1.weft_3.y)), _S792) / max(_S793, vec3<f32>(0.00009999999747379f)), vec3<f32>(1.0f));
+    yarns_1.shares_0 = _S794;
+    yarns_1.shares_0[i32(2)] = select(1.0f, _S794.z, (_S793.z) > 0.00009999999747379f);
     return yarns_1;
 }
 
-fn neural_view_0( _S791 : u32,  _S792 : Footprint_0,  _S793 : vec3<f32>,  _S794 : ptr<function, NeuralView_0>)
+fn neural_view_0( _S795 : u32,  _S796 : Footprint_0,  _S797 : vec3<f32>,  _S798 : ptr<function, NeuralView_0>)
 {
-    var _S795 : bool = (_S793.z) < 0.0f;
-    var _S796 : vec3<f32> = to_face_frame_0(_S793, _S795);
-    var _S797 : AnisotropicTaps_0 = taps_at_yarns_0(_S791, _S792, anisotropic_taps_0(_S791, _S792), _S796, _S795);
-    var _S798 : vec3<f32> = footprint_coordinates_0(_S797);
+    var _S799 : bool = (_S797.z) < 0.0f;
+    var _S800 : vec3<f32> = to_face_frame_0(_S797, _S799);
+    var _S801 : AnisotropicTaps_0 = taps_at_yarns_0(_S795, _S796, anisotropic_taps_0(_S795, _S796), _S800, _S799);
+    var _S802 : vec3<f32> = footprint_coordinates_0(_S801);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S791].neural_0.network_0;
+    weights_23.first_2 = fabrics_0[_S795].neural_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S791, _S797, _S798, _S795, &(inputs_23));
+    code_footprint_0(_S795, _S801, _S802, _S799, &(inputs_23));
     var hidden_1 : array<f32, i32(64)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_1));
     var fused_0 : array<f32, i32(68)>;
     dense_part_8(weights_23, u32(712), false, &(hidden_1), &(fused_0));
-    fused_0[i32(64)] = _S796.x;
-    fused_0[i32(65)] = _S796.y;
-    var _S799 : vec2<f32> = _S796.xy;
-    fused_0[i32(66)] = dot(crown_fibres_0(_S791, true, _S795).xy, _S799);
-    fused_0[i32(67)] = dot(crown_fibres_0(_S791, false, _S795).xy, _S799);
+    fused_0[i32(64)] = _S800.x;
+    fused_0[i32(65)] = _S800.y;
+    var _S803 : vec2<f32> = _S800.xy;
+    fused_0[i32(66)] = dot(crown_fibres_0(_S795, true, _S799).xy, _S803);
+    fused_0[i32(67)] = dot(crown_fibres_0(_S795, false, _S799).xy, _S803);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(1232), false, &(fused_0), &(of_hole_0));
     var hole_4 : array<f32, i32(1)>;
     dense_5(weights_23, u32(1380), false, &(of_hole_0), &(hole_4));
-    var _S800 : array<f32, i32(64)> = (*_S794).sums_12;
-    dense_4(weights_23, u32(1392), false, &(fused_0), &(_S800));
-    (*_S794).sums_12 = _S800;
-    var _S801 : f32 = clamp(hole_4[i32(0)], 0.0f, 1.0f);
-    (*_S794).even_hole_0 = _S801;
-    (*_S794).yarns_0 = yarns_over_0(_S791, _S792, _S795);
-    (*_S794).hole_2 = min(_S801 * (*_S794).yarns_0.shares_0.z, 1.0f);
-    (*_S794).correction_weight_0 = correction_weight_of_0(_S798.z);
-    (*_S794).view_8 = _S796;
-    (*_S794).back_10 = _S795;
+    var _S804 : array<f32, i32(64)> = (*_S798).sums_12;
+    dense_4(weights_23, u32(1392), false, &(fused_0), &(_S804));
+    (*_S798).sums_12 = _S804;
+    var _S805 : f32 = clamp(hole_4[i32(0)], 0.0f, 1.0f);
+    (*_S798).even_hole_0 = _S805;
+    (*_S798).yarns_0 = yarns_over_0(_S795, _S796, _S799);
+    (*_S798).hole_2 = min(_S805 * (*_S798).yarns_0.shares_0.z, 1.0f);
+    (*_S798).correction_weight_0 = correction_weight_of_0(_S802.z);
+    (*_S798).view_8 = _S800;
+    (*_S798).back_10 = _S799;
     return;
 }
 
-fn stack_share_0( _S802 : u32,  _S803 : vec2<f32>,  _S804 : vec2<f32>,  _S805 : u32) -> f32
+fn stack_share_0( _S806 : u32,  _S807 : vec2<f32>,  _S808 : vec2<f32>,  _S809 : u32) -> f32
 {
-    if((fabrics_0[_S802].stacks_0) == u32(1))
+    if((fabrics_0[_S806].stacks_0) == u32(1))
     {
         return 1.0f;
     }
-    var _S806 : u32 = fabrics_0[_S802].plane_axes_0 + u32(1);
-    var _S807 : Stretch_0 = stretch_of_0(fabrics_0[_S802].plane_axes_0, _S803.x, _S804.x);
-    var _S808 : Stretch_0 = stretch_of_0(_S806, _S803.y, _S804.y);
-    return clamp(integral_on_top_0(fabrics_0[_S802].plane_axes_0, _S807, _S808, u32(families_0[_S806].count_0), _S805) / (lengths_0(fabrics_0[_S802].plane_axes_0, _S807).x * lengths_0(_S806, _S808).x), 0.0f, 1.0f);
+    var _S810 : u32 = fabrics_0[_S806].plane_axes_0 + u32(1);
+    var _S811 : Stretch_0 = stretch_of_0(fabrics_0[_S806].plane_axes_0, _S807.x, _S808.x);
+    var _S812 : Stretch_0 = stretch_of_0(_S810, _S807.y, _S808.y);
+    return clamp(integral_on_top_0(fabrics_0[_S806].plane_axes_0, _S811, _S812, u32(families_0[_S810].count_0), _S809) / (lengths_0(fabrics_0[_S806].plane_axes_0, _S811).x * lengths_0(_S810, _S812).x), 0.0f, 1.0f);
 }
 
-fn layered_albedos_0( _S809 : u32,  _S810 : Footprint_0,  _S811 : NearestLayer_0,  _S812 : bool,  _S813 : vec3<f32>,  _S814 : vec3<f32>) -> LayeredAlbedos_0
+fn layered_albedos_0( _S813 : u32,  _S814 : Footprint_0,  _S815 : NearestLayer_0,  _S816 : bool,  _S817 : vec3<f32>,  _S818 : vec3<f32>) -> LayeredAlbedos_0
 {
-    var _S815 : vec2<f32> = _S810.dx_0;
-    var _S816 : vec2<f32> = _S810.dy_0;
-    var _S817 : vec2<f32> = sqrt(_S815 * _S815 + _S816 * _S816);
-    var _S818 : vec3<f32> = vec3<f32>(0.0f);
-    var _S819 : Albedos_0 = Albedos_x24init_0(_S818, _S818, _S818, _S818);
-    var _S820 : LayersBehind_0 = LayersBehind_x24init_0(_S818, _S818);
-    var found_1 : LayeredAlbedos_0 = LayeredAlbedos_x24init_0(FamilyAlbedos_x24init_0(_S819, _S819), _S820);
-    var _S821 : LayerSums_0 = LayerSums_x24init_0(_S819, 0.0f, _S820);
-    var warp_10 : LayerSums_0 = _S821;
-    var weft_10 : LayerSums_0 = _S821;
+    var _S819 : vec2<f32> = _S814.dx_0;
+    var _S820 : vec2<f32> = _S814.dy_0;
+    var _S821 : vec2<f32> = sqrt(_S819 * _S819 + _S820 * _S820);
+    var _S822 : vec3<f32> = vec3<f32>(0.0f);
+    var _S823 : Albedos_0 = Albedos_x24init_0(_S822, _S822, _S822, _S822);
+    var _S824 : FamilyAlbedos_0 = FamilyAlbedos_x24init_0(_S823, _S823);
+    var _S825 : LayersBehind_0 = LayersBehind_x24init_0(_S822, _S822);
+    var found_1 : LayeredAlbedos_0 = LayeredAlbedos_x24init_0(_S824, _S824, _S825);
+    var _S826 : LayerSums_0 = LayerSums_x24init_0(_S823, _S823, 0.0f, 0.0f, 0.0f, _S825);
+    var warp_10 : LayerSums_0 = _S826;
+    var weft_10 : LayerSums_0 = _S826;
     var number_13 : u32 = u32(0);
     for(;;)
     {
-        if(number_13 < (plane_count_0(_S809)))
+        if(number_13 < (plane_count_0(_S813)))
         {
         }
         else
         {
             break;
         }
-        var _S822 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S809, number_13), _S810.centre_0, _S817, _S812);
-        if(!is_layered_0(_S809))
+        var _S827 : FamilyAlbedos_0 = albedos_in_0(plane_of_0(_S813, number_13), _S814.centre_0, _S821, _S816);
+        if(!is_layered_0(_S813))
         {
-            found_1.albedos_0 = _S822;
+            found_1.albedos_0 = _S827;
+            found_1.means_0 = _S827;
             return found_1;
         }
-        var _S823 : f32 = select(1.0f - _S811.weight_0, 1.0f, number_13 == (_S811.number_4));
+        var _S828 : f32 = select(1.0f - _S815.weight_0, 1.0f, number_13 == (_S815.number_4));
         var stack_0 : u32 = u32(0);
         for(;;)
         {
-            if(stack_0 < (fabrics_0[_S809].stacks_0))
+            if(stack_0 < (fabrics_0[_S813].stacks_0))
             {
             }
             else
             {
                 break;
             }
-            var _S824 : f32 = stack_share_0(_S809, _S810.centre_0, _S817, stack_0);
-            var _S825 : u32 = fabrics_0[_S809].plane_shares_0 + u32(144) * (u32(2) * (stack_0 * fabrics_0[_S809].planes_0 + number_13) + select(u32(0), u32(1), _S812));
-            var _S826 : LayerSums_0 = with_seen_0(warp_10, _S822.warp_5, families_0[fabrics_0[_S809].warp_0].layer_through_0, _S825, _S824, _S823, _S813, _S814);
-            var _S827 : LayerSums_0 = with_seen_0(weft_10, _S822.weft_5, families_0[fabrics_0[_S809].weft_0].layer_through_0, _S825 + u32(72), _S824, _S823, _S813, _S814);
-            var _S828 : u32 = stack_0 + u32(1);
-            warp_10 = _S826;
-            weft_10 = _S827;
-            stack_0 = _S828;
+            var _S829 : f32 = stack_share_0(_S813, _S814.centre_0, _S821, stack_0);
+            var _S830 : u32 = fabrics_0[_S813].plane_shares_0 + u32(144) * (u32(2) * (stack_0 * fabrics_0[_S813].planes_0 + number_13) + select(u32(0), u32(1), _S816));
+            var _S831 : LayerSums_0 = with_seen_0(warp_10, _S827.warp_5, families_0[fabrics_0[_S813].warp_0].layer_through_0, _S830, _S829, _S828, _S817, _S818);
+            var _S832 : LayerSums_0 = with_seen_0(weft_10, _S827.weft_5, families_0[fabrics_0[_S813].weft_0].layer_through_0, _S830 + u32(72), _S829, _S828, _S817, _S818);
+            var _S833 : u32 = stack_0 + u32(1);
+            warp_10 = _S831;
+            weft_10 = _S832;
+            stack_0 = _S833;
         }
         number_13 = number_13 + u32(1);
     }
-    found_1.albedos_0.warp_5 = divided_0(warp_10.albedos_2, warp_10.weight_2);
-    found_1.albedos_0.weft_5 = divided_0(weft_10.albedos_2, weft_10.weight_2);
+    var _S834 : f32 = warp_10.weight_2;
+    found_1.albedos_0.warp_5 = divided_0(warp_10.albedos_2, _S834, _S834);
+    var _S835 : f32 = weft_10.weight_2;
+    found_1.albedos_0.weft_5 = divided_0(weft_10.albedos_2, _S835, _S835);
+    found_1.means_0.warp_5 = divided_0(warp_10.means_2, warp_10.lit_0, warp_10.passed_0);
+    found_1.means_0.weft_5 = divided_0(weft_10.means_2, weft_10.lit_0, weft_10.passed_0);
     found_1.behind_0.reflected_0 = warp_10.behind_2.reflected_0 + weft_10.behind_2.reflected_0;
     found_1.behind_0.transmitted_0 = warp_10.behind_2.transmitted_0 + weft_10.behind_2.transmitted_0;
     return found_1;
 }
 
-fn albedos_over_0( _S829 : u32,  _S830 : Footprint_0,  _S831 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S836 : u32,  _S837 : Footprint_0,  _S838 : bool) -> FamilyAlbedos_0
 {
-    const _S832 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
-    return layered_albedos_0(_S829, _S830, NearestLayer_x24init_0(u32(0), 0.0f), _S831, _S832, _S832).albedos_0;
+    const _S839 : vec3<f32> = vec3<f32>(0.0f, 0.0f, 1.0f);
+    return layered_albedos_0(_S836, _S837, NearestLayer_x24init_0(u32(0), 0.0f), _S838, _S839, _S839).means_0;
 }
 
-fn toned_0( _S833 : u32,  _S834 : u32,  _S835 : Albedos_0,  _S836 : vec4<f32>) -> Albedos_0
+fn toned_0( _S840 : u32,  _S841 : u32,  _S842 : Albedos_0,  _S843 : vec4<f32>) -> Albedos_0
 {
-    var _S837 : vec3<f32> = _S835.diffuse_reflect_0 + _S835.diffuse_transmit_0;
-    var _S838 : vec3<f32> = vec3<f32>(1.0f);
-    var _S839 : vec3<f32> = _S838 - vec3<f32>(fabrics_0[_S833].layer_bound_0) * max(_S835.specular_reflect_0, _S835.specular_transmit_0);
-    var _S840 : vec3<f32> = vec3<f32>(0.0f);
-    var _S841 : vec3<f32> = max(_S838 - _S837, _S840) / (_S838 + _S837);
-    var _S842 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
-    var _S843 : vec3<f32> = (_S839 / max(_S837, _S842) - _S838) / max(vec3<f32>(0.89999997615814209f) * _S841, _S842);
-    var _S844 : vec3<f32> = _S838 - vec3<f32>((saturate(min(min(_S843.x, _S843.y), _S843.z)) * _S836.z)) * _S841;
-    var _S845 : vec3<f32> = min(vec3<f32>(families_0[_S834].nep_red_0, families_0[_S834].nep_green_0, families_0[_S834].nep_blue_0), _S839);
-    var found_2 : Albedos_0 = _S835;
-    var _S846 : f32 = _S836.w;
-    var _S847 : vec3<f32> = _S844 * _S835.diffuse_transmit_0 * vec3<f32>((1.0f - _S846));
-    found_2.diffuse_transmit_0 = _S847;
-    found_2.diffuse_reflect_0 = clamp(mix(_S844 * _S835.diffuse_reflect_0, _S845, vec3<f32>(_S846)), _S840, max(_S839 - _S847, _S840));
+    var _S844 : vec3<f32> = _S842.diffuse_reflect_0 + _S842.diffuse_transmit_0;
+    var _S845 : vec3<f32> = vec3<f32>(1.0f);
+    var _S846 : vec3<f32> = _S845 - vec3<f32>(fabrics_0[_S840].layer_bound_0) * max(_S842.specular_reflect_0, _S842.specular_transmit_0);
+    var _S847 : vec3<f32> = vec3<f32>(0.0f);
+    var _S848 : vec3<f32> = max(_S845 - _S844, _S847) / (_S845 + _S844);
+    var _S849 : vec3<f32> = vec3<f32>(9.99999997475242708e-07f);
+    var _S850 : vec3<f32> = (_S846 / max(_S844, _S849) - _S845) / max(vec3<f32>(0.89999997615814209f) * _S848, _S849);
+    var _S851 : vec3<f32> = _S845 - vec3<f32>((saturate(min(min(_S850.x, _S850.y), _S850.z)) * _S843.z)) * _S848;
+    var _S852 : vec3<f32> = min(vec3<f32>(families_0[_S841].nep_red_0, families_0[_S841].nep_green_0, families_0[_S841].nep_blue_0), _S846);
+    var found_2 : Albedos_0 = _S842;
+    var _S853 : f32 = _S843.w;
+    var _S854 : vec3<f32> = _S851 * _S842.diffuse_transmit_0 * vec3<f32>((1.0f - _S853));
+    found_2.diffuse_transmit_0 = _S854;
+    found_2.diffuse_reflect_0 = clamp(mix(_S851 * _S842.diffuse_reflect_0, _S852, vec3<f32>(_S853)), _S847, max(_S846 - _S854, _S847));
     return found_2;
 }
 
-fn with_tones_0( _S848 : u32,  _S849 : FamilyAlbedos_0,  _S850 : Yarns_0) -> FamilyAlbedos_0
+fn with_tones_0( _S855 : u32,  _S856 : FamilyAlbedos_0,  _S857 : Yarns_0) -> FamilyAlbedos_0
 {
-    if((fabrics_0[_S848].is_irregular_0) == u32(0))
+    if((fabrics_0[_S855].is_irregular_0) == u32(0))
     {
-        return _S849;
+        return _S856;
     }
     var result_5 : FamilyAlbedos_0;
-    result_5.warp_5 = toned_0(_S848, fabrics_0[_S848].warp_0, _S849.warp_5, _S850.warp_3);
-    result_5.weft_5 = toned_0(_S848, fabrics_0[_S848].weft_0, _S849.weft_5, _S850.weft_3);
+    result_5.warp_5 = toned_0(_S855, fabrics_0[_S855].warp_0, _S856.warp_5, _S857.warp_3);
+    result_5.weft_5 = toned_0(_S855, fabrics_0[_S855].weft_0, _S856.weft_5, _S857.weft_3);
     return result_5;
 }
 
@@ -4039,13 +4061,13 @@ fn light_sample_count_0() -> u32
     return frame_record_0.lights_0 + frame_record_0.environment_samples_0;
 }
 
-fn visibility_at_0( _S851 : u32,  _S852 : vec2<u32>) -> f32
+fn visibility_at_0( _S858 : u32,  _S859 : vec2<u32>) -> f32
 {
     if((frame_record_0.casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S851 * frame_record_0.height_0 + _S852.y) * frame_record_0.width_0 + _S852.x];
+    return visibilities_0[(_S858 * frame_record_0.height_0 + _S859.y) * frame_record_0.width_0 + _S859.x];
 }
 
 struct LightSample_0
@@ -4055,52 +4077,52 @@ struct LightSample_0
      distance_4 : f32,
 };
 
-fn environment_texel_0( _S853 : u32,  _S854 : u32) -> vec3<f32>
+fn environment_texel_0( _S860 : u32,  _S861 : u32) -> vec3<f32>
 {
-    var _S855 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S853 * frame_record_0.environment_columns_0 + _S854);
-    return vec3<f32>(scene_number_0(_S855), scene_number_0(_S855 + u32(1)), scene_number_0(_S855 + u32(2)));
+    var _S862 : u32 = frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + frame_record_0.environment_rows_0 * (frame_record_0.environment_columns_0 + u32(1)) + u32(3) * (_S860 * frame_record_0.environment_columns_0 + _S861);
+    return vec3<f32>(scene_number_0(_S862), scene_number_0(_S862 + u32(1)), scene_number_0(_S862 + u32(2)));
 }
 
-fn sample_environment_0( _S856 : vec2<f32>,  _S857 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S863 : vec2<f32>,  _S864 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S858 : u32 = frame_record_0.environment_rows_0;
-    var _S859 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S856.y);
-    var _S860 : u32 = frame_record_0.environment_columns_0;
-    var _S861 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S859.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S856.x);
-    var _S862 : vec3<f32> = environment_texel_0(_S859.index_7, _S861.index_7);
-    (*_S857) = _S862 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S862), 9.99999968265522539e-21f)));
-    var _S863 : f32 = 3.14159274101257324f / f32(_S858);
-    var _S864 : f32 = mix(sine_cosine_0(f32(_S859.index_7) * _S863).y, sine_cosine_0(f32(_S859.index_7 + u32(1)) * _S863).y, _S859.remainder_0);
-    var _S865 : f32 = sqrt(max(1.0f - _S864 * _S864, 0.0f));
-    var _S866 : vec2<f32> = sine_cosine_0((f32(_S861.index_7) + _S861.remainder_0) * (6.28318548202514648f / f32(_S860)));
-    var _S867 : f32 = _S865 * _S866.x;
-    var _S868 : f32 = - _S865 * _S866.y;
-    return vec3<f32>(frame_record_0.environment_cosine_0 * _S867 + frame_record_0.environment_sine_0 * _S868, _S864, frame_record_0.environment_cosine_0 * _S868 - frame_record_0.environment_sine_0 * _S867);
+    var _S865 : u32 = frame_record_0.environment_rows_0;
+    var _S866 : Choice_0 = choose_0(frame_record_0.environment_table_0, frame_record_0.environment_rows_0, _S863.y);
+    var _S867 : u32 = frame_record_0.environment_columns_0;
+    var _S868 : Choice_0 = choose_0(frame_record_0.environment_table_0 + frame_record_0.environment_rows_0 + u32(1) + _S866.index_7 * (frame_record_0.environment_columns_0 + u32(1)), frame_record_0.environment_columns_0, _S863.x);
+    var _S869 : vec3<f32> = environment_texel_0(_S866.index_7, _S868.index_7);
+    (*_S864) = _S869 * vec3<f32>((frame_record_0.environment_total_0 / max(mean_0(_S869), 9.99999968265522539e-21f)));
+    var _S870 : f32 = 3.14159274101257324f / f32(_S865);
+    var _S871 : f32 = mix(sine_cosine_0(f32(_S866.index_7) * _S870).y, sine_cosine_0(f32(_S866.index_7 + u32(1)) * _S870).y, _S866.remainder_0);
+    var _S872 : f32 = sqrt(max(1.0f - _S871 * _S871, 0.0f));
+    var _S873 : vec2<f32> = sine_cosine_0((f32(_S868.index_7) + _S868.remainder_0) * (6.28318548202514648f / f32(_S867)));
+    var _S874 : f32 = _S872 * _S873.x;
+    var _S875 : f32 = - _S872 * _S873.y;
+    return vec3<f32>(frame_record_0.environment_cosine_0 * _S874 + frame_record_0.environment_sine_0 * _S875, _S871, frame_record_0.environment_cosine_0 * _S875 - frame_record_0.environment_sine_0 * _S874);
 }
 
-fn light_sample_0( _S869 : u32,  _S870 : vec2<u32>,  _S871 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S876 : u32,  _S877 : vec2<u32>,  _S878 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_4 = 1.00000001504746622e+30f;
-    var _S872 : u32 = frame_record_0.lights_0;
-    if(_S869 >= (frame_record_0.lights_0))
+    var _S879 : u32 = frame_record_0.lights_0;
+    if(_S876 >= (frame_record_0.lights_0))
     {
-        var weight_8 : vec3<f32>;
-        var _S873 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S870, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S869 - _S872), u32(3)), &(weight_8));
-        sample_1.towards_0 = _S873;
-        sample_1.irradiance_1 = weight_8 / vec3<f32>(f32(frame_record_0.environment_samples_0));
+        var weight_7 : vec3<f32>;
+        var _S880 : vec3<f32> = sample_environment_0(pixel_sequence_0(_S877, frame_record_0.pass_number_0 * frame_record_0.environment_samples_0 + (_S876 - _S879), u32(3)), &(weight_7));
+        sample_1.towards_0 = _S880;
+        sample_1.irradiance_1 = weight_7 / vec3<f32>(f32(frame_record_0.environment_samples_0));
         return sample_1;
     }
-    var _S874 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S869);
-    sample_1.irradiance_1 = vec3<f32>(_S874.red_0, _S874.green_0, _S874.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S874.x_12, _S874.y_4, _S874.z_1);
-    if((_S874.is_point_0) != u32(0))
+    var _S881 : Light_0 = scene_light_0(frame_record_0.light_records_0 + u32(7) * _S876);
+    sample_1.irradiance_1 = vec3<f32>(_S881.red_0, _S881.green_0, _S881.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S881.x_12, _S881.y_4, _S881.z_1);
+    if((_S881.is_point_0) != u32(0))
     {
-        var _S875 : vec3<f32> = sample_1.towards_0 - _S871;
-        var _S876 : f32 = max(square_0(_S875), 9.999999960041972e-13f);
-        sample_1.distance_4 = sqrt(_S876);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S876);
-        sample_1.towards_0 = normalize(_S875);
+        var _S882 : vec3<f32> = sample_1.towards_0 - _S878;
+        var _S883 : f32 = max(square_0(_S882), 9.999999960041972e-13f);
+        sample_1.distance_4 = sqrt(_S883);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S883);
+        sample_1.towards_0 = normalize(_S882);
     }
     return sample_1;
 }
@@ -4115,16 +4137,16 @@ struct Components_0
      hole_5 : f32,
 };
 
-fn code_light_0( _S877 : u32,  _S878 : vec3<f32>,  _S879 : vec3<f32>,  _S880 : bool,  _S881 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S884 : u32,  _S885 : vec3<f32>,  _S886 : vec3<f32>,  _S887 : bool,  _S888 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S881)[i32(0)] = _S878.x;
-    (*_S881)[i32(1)] = _S878.y;
-    (*_S881)[i32(2)] = _S878.z;
-    var _S882 : vec3<f32> = _S878 + _S879;
-    var _S883 : f32 = _S882.z;
-    var _S884 : f32 = _S883 * _S883 + 0.00009999999747379f;
-    var _S885 : vec2<f32> = _S882.xy;
-    var _S886 : f32 = 1.0f / (dot(_S885, _S885) + _S884);
+    (*_S888)[i32(0)] = _S885.x;
+    (*_S888)[i32(1)] = _S885.y;
+    (*_S888)[i32(2)] = _S885.z;
+    var _S889 : vec3<f32> = _S885 + _S886;
+    var _S890 : f32 = _S889.z;
+    var _S891 : f32 = _S890 * _S890 + 0.00009999999747379f;
+    var _S892 : vec2<f32> = _S889.xy;
+    var _S893 : f32 = 1.0f / (dot(_S892, _S892) + _S891);
     var family_20 : i32 = i32(0);
     for(;;)
     {
@@ -4135,12 +4157,12 @@ fn code_light_0( _S877 : u32,  _S878 : vec3<f32>,  _S879 : vec3<f32>,  _S880 : b
         {
             break;
         }
-        var _S887 : vec3<f32> = crown_fibres_0(_S877, family_20 == i32(0), _S880);
-        var _S888 : vec2<f32> = _S887.xy;
-        (*_S881)[i32(3) + family_20] = dot(_S888, _S878.xy);
-        var _S889 : f32 = dot(_S888, _S885);
-        var _S890 : f32 = _S889 * _S889;
-        var _S891 : f32 = (0.75f * _S889 / (0.5f * sqrt(_S890 + _S884) + abs(_S889)) + 0.5f) * 8.0f;
+        var _S894 : vec3<f32> = crown_fibres_0(_S884, family_20 == i32(0), _S887);
+        var _S895 : vec2<f32> = _S894.xy;
+        (*_S888)[i32(3) + family_20] = dot(_S895, _S885.xy);
+        var _S896 : f32 = dot(_S895, _S892);
+        var _S897 : f32 = _S896 * _S896;
+        var _S898 : f32 = (0.75f * _S896 / (0.5f * sqrt(_S897 + _S891) + abs(_S896)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -4151,26 +4173,26 @@ fn code_light_0( _S877 : u32,  _S878 : vec3<f32>,  _S879 : vec3<f32>,  _S880 : b
             {
                 break;
             }
-            (*_S881)[i32(5) + family_20 * i32(16) + bin_1] = bump_0(_S891 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S888)[i32(5) + family_20 * i32(16) + bin_1] = bump_0(_S898 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S892 : f32 = _S887.z;
-        var _S893 : f32 = _S892 * _S892;
-        var _S894 : f32 = _S890 * _S886 * (1.0f - _S893) + _S893;
-        (*_S881)[i32(37) + family_20] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S893 * _S892 / (_S894 * _S894));
+        var _S899 : f32 = _S894.z;
+        var _S900 : f32 = _S899 * _S899;
+        var _S901 : f32 = _S897 * _S893 * (1.0f - _S900) + _S900;
+        (*_S888)[i32(37) + family_20] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S900 * _S899 / (_S901 * _S901));
         family_20 = family_20 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S895 : u32,  _S896 : u32,  _S897 : u32,  _S898 : vec3<f32>,  _S899 : vec3<f32>,  _S900 : bool,  _S901 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S902 : u32,  _S903 : u32,  _S904 : u32,  _S905 : vec3<f32>,  _S906 : vec3<f32>,  _S907 : bool,  _S908 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S902 : vec3<f32> = _S898 + _S899;
-    var _S903 : f32 = 1.0f / (square_0(_S902) + 0.00009999999747379f);
-    var _S904 : f32 = _S902.x;
-    var _S905 : f32 = select(_S904, - _S904, ((_S896 == u32(0)) & (_S900)));
-    var _S906 : f32 = _S902.y;
-    var _S907 : f32 = select(_S906, - _S906, ((_S896 == u32(1)) & (_S900)));
+    var _S909 : vec3<f32> = _S905 + _S906;
+    var _S910 : f32 = 1.0f / (square_0(_S909) + 0.00009999999747379f);
+    var _S911 : f32 = _S909.x;
+    var _S912 : f32 = select(_S911, - _S911, ((_S903 == u32(0)) & (_S907)));
+    var _S913 : f32 = _S909.y;
+    var _S914 : f32 = select(_S913, - _S913, ((_S903 == u32(1)) & (_S907)));
     var bundle_1 : u32 = u32(0);
     var sum_2 : f32 = 0.0f;
     for(;;)
@@ -4182,42 +4204,42 @@ fn mixed_bundles_0( _S895 : u32,  _S896 : u32,  _S897 : u32,  _S898 : vec3<f32>,
         {
             break;
         }
-        var _S908 : u32 = _S896 * u32(25);
-        var _S909 : u32 = fabrics_0[_S895].neural_0.bundles_0 + u32(4) * (_S908 + bundle_1);
-        var _S910 : f32 = dot(vec3<f32>(table_number_0(_S909), table_number_0(_S909 + u32(1)), table_number_0(_S909 + u32(2))), vec3<f32>(_S905, _S907, _S902.z));
-        var _S911 : f32 = _S910 * _S910 * _S903 + table_number_0(_S909 + u32(3));
-        var sum_3 : f32 = sum_2 + max((*_S901)[_S897 + _S908 + select(bundle_1, mirrored_bundle_0(bundle_1), _S900)], (*_S901)[_S897 + _S908 + select(bundle_1, mirrored_bundle_0(bundle_1), _S900)] * 0.00999999977648258f) / (_S911 * _S911);
+        var _S915 : u32 = _S903 * u32(25);
+        var _S916 : u32 = fabrics_0[_S902].neural_0.bundles_0 + u32(4) * (_S915 + bundle_1);
+        var _S917 : f32 = dot(vec3<f32>(table_number_0(_S916), table_number_0(_S916 + u32(1)), table_number_0(_S916 + u32(2))), vec3<f32>(_S912, _S914, _S909.z));
+        var _S918 : f32 = _S917 * _S917 * _S910 + table_number_0(_S916 + u32(3));
+        var sum_3 : f32 = sum_2 + max((*_S908)[_S904 + _S915 + select(bundle_1, mirrored_bundle_0(bundle_1), _S907)], (*_S908)[_S904 + _S915 + select(bundle_1, mirrored_bundle_0(bundle_1), _S907)] * 0.00999999977648258f) / (_S918 * _S918);
         bundle_1 = bundle_1 + u32(1);
         sum_2 = sum_3;
     }
     return 0.01999999955296516f * sum_2;
 }
 
-fn with_shares_0( _S912 : u32,  _S913 : Components_0,  _S914 : Yarns_0) -> Components_0
+fn with_shares_0( _S919 : u32,  _S920 : Components_0,  _S921 : Yarns_0) -> Components_0
 {
     var result_6 : Components_0;
-    var _S915 : f32 = min(_S913.hole_5 * _S914.shares_0.z, 1.0f);
-    result_6.hole_5 = _S915;
-    var _S916 : f32 = _S914.shares_0.x;
-    result_6.diffuse_warp_0 = _S913.diffuse_warp_0 * _S916;
-    var _S917 : f32 = _S914.shares_0.y;
-    result_6.diffuse_weft_0 = _S913.diffuse_weft_0 * _S917;
-    result_6.specular_warp_0 = _S913.specular_warp_0 * _S916;
-    result_6.specular_weft_0 = _S913.specular_weft_0 * _S917;
-    result_6.light_visibility_1 = _S913.light_visibility_1 * select(1.0f, (1.0f - _S915) / max(1.0f - _S913.hole_5, 9.99999997475242708e-07f), (fabrics_0[_S912].is_irregular_0) != u32(0));
+    var _S922 : f32 = min(_S920.hole_5 * _S921.shares_0.z, 1.0f);
+    result_6.hole_5 = _S922;
+    var _S923 : f32 = _S921.shares_0.x;
+    result_6.diffuse_warp_0 = _S920.diffuse_warp_0 * _S923;
+    var _S924 : f32 = _S921.shares_0.y;
+    result_6.diffuse_weft_0 = _S920.diffuse_weft_0 * _S924;
+    result_6.specular_warp_0 = _S920.specular_warp_0 * _S923;
+    result_6.specular_weft_0 = _S920.specular_weft_0 * _S924;
+    result_6.light_visibility_1 = _S920.light_visibility_1 * select(1.0f, (1.0f - _S922) / max(1.0f - _S920.hole_5, 9.99999997475242708e-07f), (fabrics_0[_S919].is_irregular_0) != u32(0));
     return result_6;
 }
 
-fn neural_components_0( _S918 : u32,  _S919 : ptr<function, NeuralView_0>,  _S920 : vec3<f32>) -> Components_0
+fn neural_components_0( _S925 : u32,  _S926 : ptr<function, NeuralView_0>,  _S927 : vec3<f32>) -> Components_0
 {
-    var _S921 : bool = (*_S919).back_10;
-    var _S922 : vec3<f32> = to_face_frame_0(_S920, (*_S919).back_10);
-    var _S923 : vec3<f32> = (*_S919).view_8;
+    var _S928 : bool = (*_S926).back_10;
+    var _S929 : vec3<f32> = to_face_frame_0(_S927, (*_S926).back_10);
+    var _S930 : vec3<f32> = (*_S926).view_8;
     var weights_24 : HalfWeights_0;
-    var _S924 : Neural_std430_0 = fabrics_0[_S918].neural_0;
-    weights_24.first_2 = fabrics_0[_S918].neural_0.network_0;
+    var _S931 : Neural_std430_0 = fabrics_0[_S925].neural_0;
+    weights_24.first_2 = fabrics_0[_S925].neural_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S918, _S922, (*_S919).view_8, (*_S919).back_10, &(directions_0));
+    code_light_0(_S925, _S929, (*_S926).view_8, (*_S926).back_10, &(directions_0));
     var skip_0 : array<f32, i32(64)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -4229,7 +4251,7 @@ fn neural_components_0( _S918 : u32,  _S919 : ptr<function, NeuralView_0>,  _S92
         {
             break;
         }
-        skip_0[k_1] = (*_S919).sums_12[k_1];
+        skip_0[k_1] = (*_S926).sums_12[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(1976), true, &(directions_0), &(skip_0));
@@ -4289,27 +4311,27 @@ fn neural_components_0( _S918 : u32,  _S919 : ptr<function, NeuralView_0>,  _S92
     }
     var outputs_17 : array<f32, i32(52)>;
     dense_1(weights_24, u32(3864), false, &(hidden_2), &(outputs_17));
-    var _S925 : bool;
-    if((_S924.is_corrected_0) != u32(0))
+    var _S932 : bool;
+    if((_S931.is_corrected_0) != u32(0))
     {
-        _S925 = (_S922.z) > 0.0f;
+        _S932 = (_S929.z) > 0.0f;
     }
     else
     {
-        _S925 = false;
+        _S932 = false;
     }
-    if(_S925)
+    if(_S932)
     {
-        _S925 = ((*_S919).correction_weight_0) > 0.0f;
+        _S932 = ((*_S926).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S925 = false;
+        _S932 = false;
     }
-    if(_S925)
+    if(_S932)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S924.correction_0;
+        fitted_0.first_0 = _S931.correction_0;
         var change_0 : array<f32, i32(50)>;
         dense_0(fitted_0, u32(0), false, &(hidden_2), &(change_0));
         k_1 = i32(0);
@@ -4322,141 +4344,141 @@ fn neural_components_0( _S918 : u32,  _S919 : ptr<function, NeuralView_0>,  _S92
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S919).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S926).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    var _S926 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S922.z) > 0.0f);
+    var _S933 : f32 = select(0.00100000004749745f, 0.00999999977648258f, (_S929.z) > 0.0f);
     var result_7 : Components_0;
-    var _S927 : f32 = unmapped_0(outputs_17[i32(0)], _S926);
-    result_7.diffuse_warp_0 = _S927;
-    var _S928 : f32 = unmapped_0(outputs_17[i32(1)], _S926);
-    result_7.diffuse_weft_0 = _S928;
-    var _S929 : f32 = 2979.9580078125f * _S926;
-    var _S930 : f32 = mixed_bundles_0(_S918, u32(0), u32(2), _S922, _S923, _S921, &(outputs_17));
-    result_7.specular_warp_0 = clamp(_S930, 0.0f, _S929);
-    var _S931 : f32 = mixed_bundles_0(_S918, u32(1), u32(2), _S922, _S923, _S921, &(outputs_17));
-    result_7.specular_weft_0 = clamp(_S931, 0.0f, _S929);
-    result_7.hole_5 = (*_S919).even_hole_0;
-    result_7.light_visibility_1 = min(light_visibility_of_0(_S927 + _S928, _S922, _S923, fabrics_0[_S918].diffuse_blend_0), 1.0f - (*_S919).even_hole_0);
-    return with_shares_0(_S918, result_7, (*_S919).yarns_0);
+    var _S934 : f32 = unmapped_0(outputs_17[i32(0)], _S933);
+    result_7.diffuse_warp_0 = _S934;
+    var _S935 : f32 = unmapped_0(outputs_17[i32(1)], _S933);
+    result_7.diffuse_weft_0 = _S935;
+    var _S936 : f32 = 2979.9580078125f * _S933;
+    var _S937 : f32 = mixed_bundles_0(_S925, u32(0), u32(2), _S929, _S930, _S928, &(outputs_17));
+    result_7.specular_warp_0 = clamp(_S937, 0.0f, _S936);
+    var _S938 : f32 = mixed_bundles_0(_S925, u32(1), u32(2), _S929, _S930, _S928, &(outputs_17));
+    result_7.specular_weft_0 = clamp(_S938, 0.0f, _S936);
+    result_7.hole_5 = (*_S926).even_hole_0;
+    result_7.light_visibility_1 = min(light_visibility_of_0(_S934 + _S935, _S929, _S930, fabrics_0[_S925].diffuse_blend_0), 1.0f - (*_S926).even_hole_0);
+    return with_shares_0(_S925, result_7, (*_S926).yarns_0);
 }
 
-fn diffuse_kept_0( _S932 : u32,  _S933 : vec3<f32>,  _S934 : vec3<f32>) -> f32
+fn diffuse_kept_0( _S939 : u32,  _S940 : vec3<f32>,  _S941 : vec3<f32>) -> f32
 {
-    return (1.0f - fabrics_0[_S932].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S933.z), 0.0f))) * (1.0f - fabrics_0[_S932].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S934.z), 0.0f)));
+    return (1.0f - fabrics_0[_S939].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S940.z), 0.0f))) * (1.0f - fabrics_0[_S939].grazing_loss_0 * fourth_power_0(max(1.0f - abs(_S941.z), 0.0f)));
 }
 
-fn highlight_rise_0( _S935 : u32,  _S936 : vec3<f32>,  _S937 : vec3<f32>) -> f32
+fn highlight_rise_0( _S942 : u32,  _S943 : vec3<f32>,  _S944 : vec3<f32>) -> f32
 {
-    var _S938 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S936, _S937) + 0.5f, 9.99999993922529029e-09f, 1.0f));
-    return fabrics_0[_S935].grazing_gain_0 * fourth_power_0(_S938) * _S938;
+    var _S945 : f32 = 1.0f - sqrt(clamp(0.5f * dot(_S943, _S944) + 0.5f, 9.99999993922529029e-09f, 1.0f));
+    return fabrics_0[_S942].grazing_gain_0 * fourth_power_0(_S945) * _S945;
 }
 
-fn towards_grazing_0( _S939 : u32,  _S940 : Albedos_0,  _S941 : vec3<f32>,  _S942 : vec3<f32>) -> Albedos_0
+fn towards_grazing_0( _S946 : u32,  _S947 : Albedos_0,  _S948 : vec3<f32>,  _S949 : vec3<f32>) -> Albedos_0
 {
-    var _S943 : f32 = diffuse_kept_0(_S939, _S941, _S942);
-    var result_8 : Albedos_0 = _S940;
-    var _S944 : vec3<f32> = vec3<f32>(_S943);
-    result_8.diffuse_reflect_0 = result_8.diffuse_reflect_0 * _S944;
-    result_8.diffuse_transmit_0 = result_8.diffuse_transmit_0 * _S944;
-    result_8.specular_reflect_0 = result_8.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S939, _S941, _S942));
+    var _S950 : f32 = diffuse_kept_0(_S946, _S948, _S949);
+    var result_8 : Albedos_0 = _S947;
+    var _S951 : vec3<f32> = vec3<f32>(_S950);
+    result_8.diffuse_reflect_0 = result_8.diffuse_reflect_0 * _S951;
+    result_8.diffuse_transmit_0 = result_8.diffuse_transmit_0 * _S951;
+    result_8.specular_reflect_0 = result_8.specular_reflect_0 + vec3<f32>(highlight_rise_0(_S946, _S948, _S949));
     return result_8;
 }
 
-fn openness_number_0( _S945 : u32,  _S946 : u32) -> f32
+fn openness_number_0( _S952 : u32,  _S953 : u32) -> f32
 {
-    return table_number_0(fabrics_0[_S945].openness_0 + _S946);
+    return table_number_0(fabrics_0[_S952].openness_0 + _S953);
 }
 
-fn scattered_by_0( _S947 : u32,  _S948 : Albedos_0,  _S949 : u32,  _S950 : vec3<f32>) -> Scattered_0
+fn scattered_by_0( _S954 : u32,  _S955 : Albedos_0,  _S956 : u32,  _S957 : vec3<f32>) -> Scattered_0
 {
-    var _S951 : u32 = u32(159) + u32(2) * _S949;
+    var _S958 : u32 = u32(159) + u32(2) * _S956;
     var yarn_4 : Scattered_0;
-    yarn_4.back_9 = _S950 * _S948.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S947, _S951)) * _S948.specular_reflect_0;
-    yarn_4.through_1 = _S950 * _S948.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S947, _S951 + u32(1))) * _S948.specular_transmit_0;
+    yarn_4.back_9 = _S957 * _S955.diffuse_reflect_0 + vec3<f32>(openness_number_0(_S954, _S958)) * _S955.specular_reflect_0;
+    yarn_4.through_1 = _S957 * _S955.diffuse_transmit_0 + vec3<f32>(openness_number_0(_S954, _S958 + u32(1))) * _S955.specular_transmit_0;
     return yarn_4;
 }
 
-fn sent_0( _S952 : u32,  _S953 : u32,  _S954 : vec3<f32>,  _S955 : vec3<f32>,  _S956 : vec3<f32>,  _S957 : vec3<f32>,  _S958 : ptr<function, vec3<f32>>,  _S959 : ptr<function, vec3<f32>>)
+fn sent_0( _S959 : u32,  _S960 : u32,  _S961 : vec3<f32>,  _S962 : vec3<f32>,  _S963 : vec3<f32>,  _S964 : vec3<f32>,  _S965 : ptr<function, vec3<f32>>,  _S966 : ptr<function, vec3<f32>>)
 {
-    var _S960 : u32 = u32(146) + u32(4) * _S953;
-    var _S961 : f32 = openness_number_0(_S952, _S960 + u32(1));
-    var _S962 : f32 = openness_number_0(_S952, _S960 + u32(2));
-    var _S963 : vec3<f32> = vec3<f32>(1.0f);
-    var _S964 : vec3<f32> = _S963 - _S956 * vec3<f32>(openness_number_0(_S952, _S960));
-    var _S965 : vec3<f32> = _S963 - _S957 * vec3<f32>(openness_number_0(_S952, _S960 + u32(3)));
-    var _S966 : vec3<f32> = _S963 / (_S964 * _S965 - _S956 * _S957 * vec3<f32>((_S961 * _S962)));
-    (*_S958) = (_S954 * _S965 + _S956 * vec3<f32>(_S961) * _S955) * _S966;
-    (*_S959) = (_S955 * _S964 + _S957 * vec3<f32>(_S962) * _S954) * _S966;
+    var _S967 : u32 = u32(146) + u32(4) * _S960;
+    var _S968 : f32 = openness_number_0(_S959, _S967 + u32(1));
+    var _S969 : f32 = openness_number_0(_S959, _S967 + u32(2));
+    var _S970 : vec3<f32> = vec3<f32>(1.0f);
+    var _S971 : vec3<f32> = _S970 - _S963 * vec3<f32>(openness_number_0(_S959, _S967));
+    var _S972 : vec3<f32> = _S970 - _S964 * vec3<f32>(openness_number_0(_S959, _S967 + u32(3)));
+    var _S973 : vec3<f32> = _S970 / (_S971 * _S972 - _S963 * _S964 * vec3<f32>((_S968 * _S969)));
+    (*_S965) = (_S961 * _S972 + _S963 * vec3<f32>(_S968) * _S962) * _S973;
+    (*_S966) = (_S962 * _S971 + _S964 * vec3<f32>(_S969) * _S961) * _S973;
     return;
 }
 
-fn face_sends_0( _S967 : u32,  _S968 : u32,  _S969 : Scattered_0,  _S970 : Scattered_0) -> FaceSends_0
+fn face_sends_0( _S974 : u32,  _S975 : u32,  _S976 : Scattered_0,  _S977 : Scattered_0) -> FaceSends_0
 {
-    var _S971 : u32 = u32(2) * _S968;
-    var _S972 : u32 = u32(142) + _S971;
-    var _S973 : f32 = openness_number_0(_S967, _S972);
-    var _S974 : f32 = openness_number_0(_S967, _S972 + u32(1));
-    var _S975 : vec3<f32> = vec3<f32>((1.0f - _S973)) * _S969.back_9;
-    var _S976 : vec3<f32> = vec3<f32>((1.0f - _S974)) * _S970.back_9;
+    var _S978 : u32 = u32(2) * _S975;
+    var _S979 : u32 = u32(142) + _S978;
+    var _S980 : f32 = openness_number_0(_S974, _S979);
+    var _S981 : f32 = openness_number_0(_S974, _S979 + u32(1));
+    var _S982 : vec3<f32> = vec3<f32>((1.0f - _S980)) * _S976.back_9;
+    var _S983 : vec3<f32> = vec3<f32>((1.0f - _S981)) * _S977.back_9;
     var sends_1 : FaceSends_0;
-    var _S977 : u32 = u32(154) + _S971;
-    var _S978 : f32 = openness_number_0(_S967, _S977);
-    sends_1.blocks_warp_0 = _S978;
-    var _S979 : f32 = openness_number_0(_S967, _S977 + u32(1));
-    sends_1.blocks_weft_0 = _S979;
-    sends_1.open_0 = _S978 * _S973 + _S979 * _S974;
-    var _S980 : vec3<f32> = vec3<f32>(_S973) * _S969.back_9;
-    var _S981 : vec3<f32> = vec3<f32>(_S974) * _S970.back_9;
-    var _S982 : vec3<f32> = sends_1.sky_warp_0;
-    var _S983 : vec3<f32> = sends_1.sky_weft_0;
-    sent_0(_S967, _S968, _S980, _S981, _S975, _S976, &(_S982), &(_S983));
-    sends_1.sky_warp_0 = _S982;
-    sends_1.sky_weft_0 = _S983;
-    var _S984 : vec3<f32> = sends_1.crossing_warp_0;
-    var _S985 : vec3<f32> = sends_1.crossing_weft_0;
-    sent_0(_S967, _S968, _S969.through_1, _S970.through_1, _S975, _S976, &(_S984), &(_S985));
-    sends_1.crossing_warp_0 = _S984;
-    sends_1.crossing_weft_0 = _S985;
+    var _S984 : u32 = u32(154) + _S978;
+    var _S985 : f32 = openness_number_0(_S974, _S984);
+    sends_1.blocks_warp_0 = _S985;
+    var _S986 : f32 = openness_number_0(_S974, _S984 + u32(1));
+    sends_1.blocks_weft_0 = _S986;
+    sends_1.open_0 = _S985 * _S980 + _S986 * _S981;
+    var _S987 : vec3<f32> = vec3<f32>(_S980) * _S976.back_9;
+    var _S988 : vec3<f32> = vec3<f32>(_S981) * _S977.back_9;
+    var _S989 : vec3<f32> = sends_1.sky_warp_0;
+    var _S990 : vec3<f32> = sends_1.sky_weft_0;
+    sent_0(_S974, _S975, _S987, _S988, _S982, _S983, &(_S989), &(_S990));
+    sends_1.sky_warp_0 = _S989;
+    sends_1.sky_weft_0 = _S990;
+    var _S991 : vec3<f32> = sends_1.crossing_warp_0;
+    var _S992 : vec3<f32> = sends_1.crossing_weft_0;
+    sent_0(_S974, _S975, _S976.through_1, _S977.through_1, _S982, _S983, &(_S991), &(_S992));
+    sends_1.crossing_warp_0 = _S991;
+    sends_1.crossing_weft_0 = _S992;
     return sends_1;
 }
 
-fn interior_between_0( _S986 : u32,  _S987 : u32,  _S988 : u32,  _S989 : vec3<f32>,  _S990 : bool) -> Interior_0
+fn interior_between_0( _S993 : u32,  _S994 : u32,  _S995 : u32,  _S996 : vec3<f32>,  _S997 : bool) -> Interior_0
 {
-    var _S991 : Scattered_0 = scattered_by_0(_S986, table_albedos_0(_S987), u32(0), _S989);
-    var _S992 : Scattered_0 = scattered_by_0(_S986, table_albedos_0(_S988), u32(1), _S989);
-    var _S993 : FaceSends_0 = face_sends_0(_S986, select(u32(0), u32(1), _S990), _S991, _S992);
-    var _S994 : FaceSends_0 = face_sends_0(_S986, select(u32(1), u32(0), _S990), _S991, _S992);
-    var _S995 : vec3<f32> = vec3<f32>(_S993.blocks_warp_0);
-    var _S996 : vec3<f32> = vec3<f32>(_S993.blocks_weft_0);
-    var _S997 : vec3<f32> = _S995 * _S993.crossing_warp_0 + _S996 * _S993.crossing_weft_0;
-    var _S998 : vec3<f32> = vec3<f32>(_S994.blocks_warp_0);
-    var _S999 : vec3<f32> = vec3<f32>(_S994.blocks_weft_0);
-    var _S1000 : vec3<f32> = _S998 * _S994.crossing_warp_0 + _S999 * _S994.crossing_weft_0;
-    var _S1001 : f32 = 1.0f - _S993.open_0;
-    var _S1002 : f32 = 1.0f - _S994.open_0;
-    var _S1003 : vec3<f32> = vec3<f32>(1.0f);
-    var _S1004 : vec3<f32> = _S1003 / (_S1003 - _S997 * _S1000 * vec3<f32>((_S1001 * _S1002)));
-    var _S1005 : vec3<f32> = _S1000 * (vec3<f32>(_S993.open_0) + vec3<f32>(_S1001) * (_S995 * _S993.sky_warp_0 + _S996 * _S993.sky_weft_0)) * _S1004;
-    var _S1006 : vec3<f32> = _S997 * (vec3<f32>(_S994.open_0) + vec3<f32>(_S1002) * (_S998 * _S994.sky_warp_0 + _S999 * _S994.sky_weft_0)) * _S1004;
-    var _S1007 : FaceRadiance_0 = face_radiance_0(_S993, _S994.open_0, _S1005, _S1006);
-    var _S1008 : FaceRadiance_0 = face_radiance_0(_S994, _S993.open_0, _S1006, _S1005);
+    var _S998 : Scattered_0 = scattered_by_0(_S993, table_albedos_0(_S994), u32(0), _S996);
+    var _S999 : Scattered_0 = scattered_by_0(_S993, table_albedos_0(_S995), u32(1), _S996);
+    var _S1000 : FaceSends_0 = face_sends_0(_S993, select(u32(0), u32(1), _S997), _S998, _S999);
+    var _S1001 : FaceSends_0 = face_sends_0(_S993, select(u32(1), u32(0), _S997), _S998, _S999);
+    var _S1002 : vec3<f32> = vec3<f32>(_S1000.blocks_warp_0);
+    var _S1003 : vec3<f32> = vec3<f32>(_S1000.blocks_weft_0);
+    var _S1004 : vec3<f32> = _S1002 * _S1000.crossing_warp_0 + _S1003 * _S1000.crossing_weft_0;
+    var _S1005 : vec3<f32> = vec3<f32>(_S1001.blocks_warp_0);
+    var _S1006 : vec3<f32> = vec3<f32>(_S1001.blocks_weft_0);
+    var _S1007 : vec3<f32> = _S1005 * _S1001.crossing_warp_0 + _S1006 * _S1001.crossing_weft_0;
+    var _S1008 : f32 = 1.0f - _S1000.open_0;
+    var _S1009 : f32 = 1.0f - _S1001.open_0;
+    var _S1010 : vec3<f32> = vec3<f32>(1.0f);
+    var _S1011 : vec3<f32> = _S1010 / (_S1010 - _S1004 * _S1007 * vec3<f32>((_S1008 * _S1009)));
+    var _S1012 : vec3<f32> = _S1007 * (vec3<f32>(_S1000.open_0) + vec3<f32>(_S1008) * (_S1002 * _S1000.sky_warp_0 + _S1003 * _S1000.sky_weft_0)) * _S1011;
+    var _S1013 : vec3<f32> = _S1004 * (vec3<f32>(_S1001.open_0) + vec3<f32>(_S1009) * (_S1005 * _S1001.sky_warp_0 + _S1006 * _S1001.sky_weft_0)) * _S1011;
+    var _S1014 : FaceRadiance_0 = face_radiance_0(_S1000, _S1001.open_0, _S1012, _S1013);
+    var _S1015 : FaceRadiance_0 = face_radiance_0(_S1001, _S1000.open_0, _S1013, _S1012);
     var interior_1 : Interior_0;
-    interior_1.warp_9 = _S1007.warp_8;
-    interior_1.weft_9 = _S1007.weft_8;
-    interior_1.leaked_1 = _S1007.leaked_0;
-    interior_1.far_1 = _S1008.mean_1;
-    interior_1.far_leaked_0 = _S1008.leaked_0;
+    interior_1.warp_9 = _S1014.warp_8;
+    interior_1.weft_9 = _S1014.weft_8;
+    interior_1.leaked_1 = _S1014.leaked_0;
+    interior_1.far_1 = _S1015.mean_1;
+    interior_1.far_leaked_0 = _S1015.leaked_0;
     return interior_1;
 }
 
-fn interior_of_0( _S1009 : u32,  _S1010 : vec3<f32>,  _S1011 : bool) -> Interior_0
+fn interior_of_0( _S1016 : u32,  _S1017 : vec3<f32>,  _S1018 : bool) -> Interior_0
 {
-    return interior_between_0(_S1009, families_0[fabrics_0[_S1009].warp_0].cloth_mean_0, families_0[fabrics_0[_S1009].weft_0].cloth_mean_0, _S1010, _S1011);
+    return interior_between_0(_S1016, families_0[fabrics_0[_S1016].warp_0].cloth_mean_0, families_0[fabrics_0[_S1016].weft_0].cloth_mean_0, _S1017, _S1018);
 }
 
-fn blocked_of_terms_0( _S1012 : u32,  _S1013 : u32,  _S1014 : array<f32, i32(6)>,  _S1015 : u32) -> Blocked_0
+fn blocked_of_terms_0( _S1019 : u32,  _S1020 : u32,  _S1021 : array<f32, i32(6)>,  _S1022 : u32) -> Blocked_0
 {
     var shares_2 : array<f32, i32(3)>;
     var share_4 : u32 = u32(0);
@@ -4473,14 +4495,14 @@ fn blocked_of_terms_0( _S1012 : u32,  _S1013 : u32,  _S1014 : array<f32, i32(6)>
         var term_2 : u32 = u32(0);
         for(;;)
         {
-            if(term_2 < _S1015)
+            if(term_2 < _S1022)
             {
             }
             else
             {
                 break;
             }
-            shares_2[share_4] = shares_2[share_4] + openness_number_0(_S1012, _S1013 + share_4 * _S1015 + term_2) * _S1014[term_2];
+            shares_2[share_4] = shares_2[share_4] + openness_number_0(_S1019, _S1020 + share_4 * _S1022 + term_2) * _S1021[term_2];
             term_2 = term_2 + u32(1);
         }
         shares_2[share_4] = saturate(shares_2[share_4]);
@@ -4493,17 +4515,17 @@ fn blocked_of_terms_0( _S1012 : u32,  _S1013 : u32,  _S1014 : array<f32, i32(6)>
     return blocked_2;
 }
 
-fn blocked_from_0( _S1016 : u32,  _S1017 : vec3<f32>,  _S1018 : bool,  _S1019 : bool) -> Blocked_0
+fn blocked_from_0( _S1023 : u32,  _S1024 : vec3<f32>,  _S1025 : bool,  _S1026 : bool) -> Blocked_0
 {
     var terms_5 : array<f32, i32(6)>;
-    view_terms_0(_S1017, &(terms_5));
-    return blocked_of_terms_0(_S1016, (select(u32(0), u32(2), _S1019) + select(u32(1), u32(0), _S1018)) * u32(15), terms_5, u32(5));
+    view_terms_0(_S1024, &(terms_5));
+    return blocked_of_terms_0(_S1023, (select(u32(0), u32(2), _S1026) + select(u32(1), u32(0), _S1025)) * u32(15), terms_5, u32(5));
 }
 
-fn warp_seen_from_0( _S1020 : u32,  _S1021 : vec3<f32>,  _S1022 : bool) -> f32
+fn warp_seen_from_0( _S1027 : u32,  _S1028 : vec3<f32>,  _S1029 : bool) -> f32
 {
     var terms_6 : array<f32, i32(6)>;
-    view_terms_1(_S1021, &(terms_6));
+    view_terms_1(_S1028, &(terms_6));
     var term_3 : u32 = u32(0);
     var share_5 : f32 = 0.0f;
     for(;;)
@@ -4515,102 +4537,102 @@ fn warp_seen_from_0( _S1020 : u32,  _S1021 : vec3<f32>,  _S1022 : bool) -> f32
         {
             break;
         }
-        var share_6 : f32 = share_5 + openness_number_0(_S1020, u32(132) + select(u32(0), u32(5), _S1022) + term_3) * terms_6[term_3];
+        var share_6 : f32 = share_5 + openness_number_0(_S1027, u32(132) + select(u32(0), u32(5), _S1029) + term_3) * terms_6[term_3];
         term_3 = term_3 + u32(1);
         share_5 = share_6;
     }
     return saturate(share_5);
 }
 
-fn bounced_of_families_0( _S1023 : u32,  _S1024 : FamilyAlbedos_0,  _S1025 : vec3<f32>,  _S1026 : Interior_0,  _S1027 : Blocked_0,  _S1028 : Blocked_0) -> Bounced_0
+fn bounced_of_families_0( _S1030 : u32,  _S1031 : FamilyAlbedos_0,  _S1032 : vec3<f32>,  _S1033 : Interior_0,  _S1034 : Blocked_0,  _S1035 : Blocked_0) -> Bounced_0
 {
-    return sum_of_0(bounced_by_0(_S1027, scattered_by_0(_S1023, _S1024.warp_5, u32(0), _S1025), _S1026), bounced_by_0(_S1028, scattered_by_0(_S1023, _S1024.weft_5, u32(1), _S1025), _S1026));
+    return sum_of_0(bounced_by_0(_S1034, scattered_by_0(_S1030, _S1031.warp_5, u32(0), _S1032), _S1033), bounced_by_0(_S1035, scattered_by_0(_S1030, _S1031.weft_5, u32(1), _S1032), _S1033));
 }
 
-fn bounced_far_0( _S1029 : u32,  _S1030 : FamilyAlbedos_0,  _S1031 : vec3<f32>,  _S1032 : Interior_0,  _S1033 : vec3<f32>,  _S1034 : bool,  _S1035 : f32,  _S1036 : f32,  _S1037 : f32) -> Bounced_0
+fn bounced_far_0( _S1036 : u32,  _S1037 : FamilyAlbedos_0,  _S1038 : vec3<f32>,  _S1039 : Interior_0,  _S1040 : vec3<f32>,  _S1041 : bool,  _S1042 : f32,  _S1043 : f32,  _S1044 : f32) -> Bounced_0
 {
-    var _S1038 : Blocked_0 = blocked_from_0(_S1029, _S1033, true, _S1034);
-    var _S1039 : Blocked_0 = blocked_from_0(_S1029, _S1033, false, _S1034);
-    var _S1040 : f32 = _S1035 / max(1.0f - _S1038.by_warp_0 - _S1038.by_weft_0, 0.10000000149011612f);
-    var _S1041 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1029, _S1033, _S1034) + _S1040) / (_S1040 + _S1036 / max(1.0f - _S1039.by_warp_0 - _S1039.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
-    var _S1042 : f32 = 1.0f - _S1037;
-    return bounced_of_families_0(_S1029, _S1030, _S1031, _S1032, scaled_0(_S1038, _S1041 * _S1042), scaled_0(_S1039, (1.0f - _S1041) * _S1042));
+    var _S1045 : Blocked_0 = blocked_from_0(_S1036, _S1040, true, _S1041);
+    var _S1046 : Blocked_0 = blocked_from_0(_S1036, _S1040, false, _S1041);
+    var _S1047 : f32 = _S1042 / max(1.0f - _S1045.by_warp_0 - _S1045.by_weft_0, 0.10000000149011612f);
+    var _S1048 : f32 = (0.0020000000949949f * warp_seen_from_0(_S1036, _S1040, _S1041) + _S1047) / (_S1047 + _S1043 / max(1.0f - _S1046.by_warp_0 - _S1046.by_weft_0, 0.10000000149011612f) + 0.0020000000949949f);
+    var _S1049 : f32 = 1.0f - _S1044;
+    return bounced_of_families_0(_S1036, _S1037, _S1038, _S1039, scaled_0(_S1045, _S1048 * _S1049), scaled_0(_S1046, (1.0f - _S1048) * _S1049));
 }
 
-fn bounced_over_0( _S1043 : u32,  _S1044 : Components_0,  _S1045 : CloseUp_0,  _S1046 : FamilyAlbedos_0,  _S1047 : vec3<f32>,  _S1048 : vec3<f32>) -> Bounced_0
+fn bounced_over_0( _S1050 : u32,  _S1051 : Components_0,  _S1052 : CloseUp_0,  _S1053 : FamilyAlbedos_0,  _S1054 : vec3<f32>,  _S1055 : vec3<f32>) -> Bounced_0
 {
-    var _S1049 : bool = (_S1048.z) < 0.0f;
-    var _S1050 : Interior_0 = interior_of_0(_S1043, _S1047, _S1049);
-    var bounced_2 : Bounced_0 = bounced_far_0(_S1043, _S1046, _S1047, _S1050, to_face_frame_0(_S1048, _S1049), _S1049, _S1044.diffuse_warp_0, _S1044.diffuse_weft_0, _S1044.hole_5);
-    if((_S1045.weight_7) > 0.0f)
+    var _S1056 : bool = (_S1055.z) < 0.0f;
+    var _S1057 : Interior_0 = interior_of_0(_S1050, _S1054, _S1056);
+    var bounced_2 : Bounced_0 = bounced_far_0(_S1050, _S1053, _S1054, _S1057, to_face_frame_0(_S1055, _S1056), _S1056, _S1051.diffuse_warp_0, _S1051.diffuse_weft_0, _S1051.hole_5);
+    if((_S1052.weight_6) > 0.0f)
     {
-        var _S1051 : Bounced_0 = bounced_of_families_0(_S1043, _S1046, _S1047, _S1050, _S1045.warp_7, _S1045.weft_7);
-        var _S1052 : vec3<f32> = vec3<f32>(_S1045.weight_7);
-        bounced_2.reflected_2 = mix(bounced_2.reflected_2, _S1051.reflected_2, _S1052);
-        bounced_2.transmitted_2 = mix(bounced_2.transmitted_2, _S1051.transmitted_2, _S1052);
+        var _S1058 : Bounced_0 = bounced_of_families_0(_S1050, _S1053, _S1054, _S1057, _S1052.warp_7, _S1052.weft_7);
+        var _S1059 : vec3<f32> = vec3<f32>(_S1052.weight_6);
+        bounced_2.reflected_2 = mix(bounced_2.reflected_2, _S1058.reflected_2, _S1059);
+        bounced_2.transmitted_2 = mix(bounced_2.transmitted_2, _S1058.transmitted_2, _S1059);
     }
     return bounced_2;
 }
 
-fn composed_before_0( _S1053 : u32,  _S1054 : Components_0,  _S1055 : CloseUp_0,  _S1056 : FamilyAlbedos_0,  _S1057 : LayersBehind_0,  _S1058 : vec3<f32>,  _S1059 : vec3<f32>,  _S1060 : vec3<f32>) -> vec3<f32>
+fn composed_before_0( _S1060 : u32,  _S1061 : Components_0,  _S1062 : CloseUp_0,  _S1063 : FamilyAlbedos_0,  _S1064 : FamilyAlbedos_0,  _S1065 : LayersBehind_0,  _S1066 : vec3<f32>,  _S1067 : vec3<f32>,  _S1068 : vec3<f32>) -> vec3<f32>
 {
-    var _S1061 : Albedos_0 = towards_grazing_0(_S1053, tinted_0(_S1056.warp_5, _S1058), _S1059, _S1060);
-    var _S1062 : Albedos_0 = towards_grazing_0(_S1053, tinted_0(_S1056.weft_5, _S1058), _S1059, _S1060);
-    var _S1063 : vec3<f32> = vec3<f32>(_S1054.diffuse_warp_0);
-    var _S1064 : vec3<f32> = vec3<f32>(_S1054.diffuse_weft_0);
-    var _S1065 : vec3<f32> = vec3<f32>(_S1054.specular_warp_0);
-    var _S1066 : vec3<f32> = vec3<f32>(_S1054.specular_weft_0);
-    var _S1067 : vec3<f32> = _S1061.diffuse_reflect_0 * _S1063 + _S1062.diffuse_reflect_0 * _S1064 + _S1061.specular_reflect_0 * _S1065 + _S1062.specular_reflect_0 * _S1066;
-    var _S1068 : f32 = _S1059.z;
-    var _S1069 : f32 = _S1060.z;
-    var _S1070 : bool = (_S1068 * _S1069) < 0.0f;
+    var _S1069 : Albedos_0 = towards_grazing_0(_S1060, tinted_0(_S1063.warp_5, _S1066), _S1067, _S1068);
+    var _S1070 : Albedos_0 = towards_grazing_0(_S1060, tinted_0(_S1063.weft_5, _S1066), _S1067, _S1068);
+    var _S1071 : vec3<f32> = vec3<f32>(_S1061.diffuse_warp_0);
+    var _S1072 : vec3<f32> = vec3<f32>(_S1061.diffuse_weft_0);
+    var _S1073 : vec3<f32> = vec3<f32>(_S1061.specular_warp_0);
+    var _S1074 : vec3<f32> = vec3<f32>(_S1061.specular_weft_0);
+    var _S1075 : vec3<f32> = _S1069.diffuse_reflect_0 * _S1071 + _S1070.diffuse_reflect_0 * _S1072 + _S1069.specular_reflect_0 * _S1073 + _S1070.specular_reflect_0 * _S1074;
+    var _S1076 : f32 = _S1067.z;
+    var _S1077 : f32 = _S1068.z;
+    var _S1078 : bool = (_S1076 * _S1077) < 0.0f;
     var body_0 : vec3<f32>;
-    if(_S1070)
+    if(_S1078)
     {
-        body_0 = _S1061.diffuse_transmit_0 * _S1063 + _S1062.diffuse_transmit_0 * _S1064 + _S1061.specular_transmit_0 * _S1065 + _S1062.specular_transmit_0 * _S1066;
+        body_0 = _S1069.diffuse_transmit_0 * _S1071 + _S1070.diffuse_transmit_0 * _S1072 + _S1069.specular_transmit_0 * _S1073 + _S1070.specular_transmit_0 * _S1074;
     }
     else
     {
-        body_0 = _S1067;
+        body_0 = _S1075;
     }
-    if((fabrics_0[_S1053].openness_0) != u32(4294967295))
+    if((fabrics_0[_S1060].openness_0) != u32(4294967295))
     {
-        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1053, _S1054, _S1055, _S1056, _S1058, _S1060), _S1059, _S1060) * vec3<f32>(diffuse_kept_0(_S1053, _S1059, _S1060));
+        body_0 = body_0 + bounced_value_0(bounced_over_0(_S1060, _S1061, _S1062, _S1064, _S1066, _S1068), _S1067, _S1068) * vec3<f32>(diffuse_kept_0(_S1060, _S1067, _S1068));
     }
-    if(is_layered_0(_S1053))
+    if(is_layered_0(_S1060))
     {
-        body_0 = body_0 + _S1058 * select_vector_2(_S1070, _S1057.transmitted_0, _S1057.reflected_0) * vec3<f32>((abs(_S1068) * 0.31830987334251404f)) * vec3<f32>(diffuse_kept_0(_S1053, _S1059, _S1060));
+        body_0 = body_0 + _S1066 * select_vector_2(_S1078, _S1065.transmitted_0, _S1065.reflected_0) * vec3<f32>((abs(_S1076) * 0.31830987334251404f)) * vec3<f32>(diffuse_kept_0(_S1060, _S1067, _S1068));
     }
-    var _S1071 : f32 = fabrics_0[_S1053].sheen_strength_0;
-    if((fabrics_0[_S1053].sheen_strength_0) <= 0.0f)
+    var _S1079 : f32 = fabrics_0[_S1060].sheen_strength_0;
+    if((fabrics_0[_S1060].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S1072 : bool = _S1069 < 0.0f;
-    var _S1073 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1059, _S1072), to_face_frame_0(_S1060, _S1072), _S1071, fabrics_0[_S1053].sheen_roughness_0);
-    return vec3<f32>(_S1073.y) * body_0 + vec3<f32>(((_S1054.light_visibility_1 + _S1054.hole_5) * _S1073.x));
+    var _S1080 : bool = _S1077 < 0.0f;
+    var _S1081 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S1067, _S1080), to_face_frame_0(_S1068, _S1080), _S1079, fabrics_0[_S1060].sheen_roughness_0);
+    return vec3<f32>(_S1081.y) * body_0 + vec3<f32>(((_S1061.light_visibility_1 + _S1061.hole_5) * _S1081.x));
 }
 
-fn composed_0( _S1074 : u32,  _S1075 : Components_0,  _S1076 : CloseUp_0,  _S1077 : FamilyAlbedos_0,  _S1078 : vec3<f32>,  _S1079 : vec3<f32>,  _S1080 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S1082 : u32,  _S1083 : Components_0,  _S1084 : CloseUp_0,  _S1085 : FamilyAlbedos_0,  _S1086 : vec3<f32>,  _S1087 : vec3<f32>,  _S1088 : vec3<f32>) -> vec3<f32>
 {
-    var _S1081 : vec3<f32> = vec3<f32>(0.0f);
-    return composed_before_0(_S1074, _S1075, _S1076, _S1077, LayersBehind_x24init_0(_S1081, _S1081), _S1078, _S1079, _S1080);
+    var _S1089 : vec3<f32> = vec3<f32>(0.0f);
+    return composed_before_0(_S1082, _S1083, _S1084, _S1085, _S1085, LayersBehind_x24init_0(_S1089, _S1089), _S1086, _S1087, _S1088);
 }
 
-fn light_of_neural_0( _S1082 : u32,  _S1083 : VisiblePoint_0,  _S1084 : vec2<u32>,  _S1085 : vec3<f32>) -> vec4<f32>
+fn light_of_neural_0( _S1090 : u32,  _S1091 : VisiblePoint_0,  _S1092 : vec2<u32>,  _S1093 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.dx_0 = _S1083.draft_dx_0;
-    footprint_1.dy_0 = _S1083.draft_dy_0;
-    footprint_1.centre_0 = irregular_place_0(_S1082, _S1083.draft_0, Footprint_spread_side_0(footprint_1));
-    var _S1086 : vec3<f32> = to_local_0(_S1083, _S1083.view_0);
+    footprint_1.dx_0 = _S1091.draft_dx_0;
+    footprint_1.dy_0 = _S1091.draft_dy_0;
+    footprint_1.centre_0 = irregular_place_0(_S1090, _S1091.draft_0, Footprint_spread_side_0(footprint_1));
+    var _S1094 : vec3<f32> = to_local_0(_S1091, _S1091.view_0);
     var activations_0 : NeuralView_0;
-    neural_view_0(_S1082, footprint_1, _S1086, &(activations_0));
-    var _S1087 : f32 = _S1086.z;
-    var _S1088 : FamilyAlbedos_0 = with_tones_0(_S1082, albedos_over_0(_S1082, footprint_1, _S1087 < 0.0f), activations_0.yarns_0);
-    var _S1089 : vec3<f32> = vec3<f32>(0.0f);
+    neural_view_0(_S1090, footprint_1, _S1094, &(activations_0));
+    var _S1095 : f32 = _S1094.z;
+    var _S1096 : FamilyAlbedos_0 = with_tones_0(_S1090, albedos_over_0(_S1090, footprint_1, _S1095 < 0.0f), activations_0.yarns_0);
+    var _S1097 : vec3<f32> = vec3<f32>(0.0f);
     var number_14 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S1089;
+    var radiance_1 : vec3<f32> = _S1097;
     for(;;)
     {
         if(number_14 < (light_sample_count_0()))
@@ -4620,24 +4642,24 @@ fn light_of_neural_0( _S1082 : u32,  _S1083 : VisiblePoint_0,  _S1084 : vec2<u32
         {
             break;
         }
-        var _S1090 : f32 = visibility_at_0(number_14, _S1084);
-        if(_S1090 <= 0.0f)
+        var _S1098 : f32 = visibility_at_0(number_14, _S1092);
+        if(_S1098 <= 0.0f)
         {
             number_14 = number_14 + u32(1);
             continue;
         }
-        var _S1091 : LightSample_0 = light_sample_0(number_14, _S1084, _S1083.position_4);
-        var _S1092 : vec3<f32> = to_local_0(_S1083, _S1091.towards_0);
-        var _S1093 : Components_0 = neural_components_0(_S1082, &(activations_0), _S1092);
-        radiance_1 = radiance_1 + vec3<f32>(_S1090) * _S1091.irradiance_1 * composed_0(_S1082, _S1093, no_close_up_0(), _S1088, _S1085, _S1092, _S1086);
+        var _S1099 : LightSample_0 = light_sample_0(number_14, _S1092, _S1091.position_4);
+        var _S1100 : vec3<f32> = to_local_0(_S1091, _S1099.towards_0);
+        var _S1101 : Components_0 = neural_components_0(_S1090, &(activations_0), _S1100);
+        radiance_1 = radiance_1 + vec3<f32>(_S1098) * _S1099.irradiance_1 * composed_0(_S1090, _S1101, no_close_up_0(), _S1096, _S1093, _S1100, _S1094);
         number_14 = number_14 + u32(1);
     }
     var hole_6 : f32 = activations_0.hole_2;
-    var _S1094 : f32 = fabrics_0[_S1082].sheen_strength_0;
+    var _S1102 : f32 = fabrics_0[_S1090].sheen_strength_0;
     var hole_7 : f32;
-    if((fabrics_0[_S1082].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S1090].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_6 * (1.0f - _S1094 * sheen_lobe_0(abs(_S1087), fabrics_0[_S1082].sheen_roughness_0).z);
+        hole_7 = hole_6 * (1.0f - _S1102 * sheen_lobe_0(abs(_S1095), fabrics_0[_S1090].sheen_roughness_0).z);
     }
     else
     {
@@ -4650,31 +4672,31 @@ fn light_of_neural_0( _S1082 : u32,  _S1083 : VisiblePoint_0,  _S1084 : vec2<u32
 @workgroup_size(8, 8, 1)
 fn shade_neural(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S1095 : u32 = id_0.x;
-    var _S1096 : bool;
-    if(_S1095 >= (frame_record_0.width_0))
+    var _S1103 : u32 = id_0.x;
+    var _S1104 : bool;
+    if(_S1103 >= (frame_record_0.width_0))
     {
-        _S1096 = true;
+        _S1104 = true;
     }
     else
     {
-        _S1096 = (id_0.y) >= (frame_record_0.height_0);
+        _S1104 = (id_0.y) >= (frame_record_0.height_0);
     }
-    if(_S1096)
+    if(_S1104)
     {
         return;
     }
-    var _S1097 : u32 = id_0.y * frame_record_0.width_0 + _S1095;
-    var _S1098 : u32 = layers_0[_S1097].face_0;
-    if((layers_0[_S1097].face_0) == u32(0))
+    var _S1105 : u32 = id_0.y * frame_record_0.width_0 + _S1103;
+    var _S1106 : u32 = layers_0[_S1105].face_0;
+    if((layers_0[_S1105].face_0) == u32(0))
     {
         return;
     }
-    var _S1099 : u32 = _S1098 - u32(1);
-    var _S1100 : u32 = fabric_of_0(_S1099);
-    var _S1101 : vec2<u32> = id_0.xy;
-    var _S1102 : VisiblePoint_0 = visible_point_0(_S1100, _S1099, _S1101);
-    accumulate_0(_S1097, light_of_neural_0(_S1100, _S1102, _S1101, filtered_albedo_0(_S1100, _S1102)));
+    var _S1107 : u32 = _S1106 - u32(1);
+    var _S1108 : u32 = fabric_of_0(_S1107);
+    var _S1109 : vec2<u32> = id_0.xy;
+    var _S1110 : VisiblePoint_0 = visible_point_0(_S1108, _S1107, _S1109);
+    accumulate_0(_S1105, light_of_neural_0(_S1108, _S1110, _S1109, filtered_albedo_0(_S1108, _S1110)));
     return;
 }
 
