@@ -18,13 +18,21 @@ from loomlight.capturing.photo import read_photo
 from loomlight.capturing.photographer import Light, photograph, straight
 from loomlight.capturing.thread_colours import ColourOrder
 from loomlight.capturing.thread_grid import find_grid
-from loomlight.capturing.weave_choice import Hypothesis, Seen, chosen, light_of, likelihoods, reliability
+from loomlight.capturing.weave_choice import (
+    Hypothesis,
+    Seen,
+    chosen,
+    hypotheses,
+    light_of,
+    likelihoods,
+    reliability,
+)
 from loomlight.capturing.weave_match import WeaveFit, fit_structure, fit_weaves
 from loomlight.capturing.yarn_fit import Fit, yarns_of_kind
 from loomlight.core.colour import linear_to_srgb
 from loomlight.fabric import fabric_from_text
 from loomlight.weave.named import named_weave
-from tests.capturing.pictures import TWILL, save
+from tests.capturing.pictures import TWILL, WIDTH_MM, photographed_twill, save
 
 VOTES = 100.0
 
@@ -174,3 +182,25 @@ def test_pairs_of_four_pixels_a_thread_are_told_from_single_threads_or_said_to_b
         # Highlights of worsted hide the groove of a pair.
         assert choice.confidence < SURE
         assert weave in (choice.fit.name, *choice.rivals)
+
+
+@pytest.mark.slow
+def test_weaves_are_rendered_on_larger_repeats_of_rivals_too(tmp_path: Path) -> None:
+    """What plies add to a large repeat by chance a small one explains there as well."""
+    photo = read_photo(photographed_twill(tmp_path / "photo.png"), WIDTH_MM)
+    grid = find_grid(photo.encoded)
+    face = Seen(photo, grid, find_crossings(photo.encoded, grid))
+    small, large = (
+        fit_structure(name, named_weave(name).drawdown, [face.crossings])
+        for name in ("twill 2/1 z", "twill 2/1/1/2 z")
+    )
+    # Both are likely enough to be rendered.
+    fits = [small, replace(large, score=small.score - 1)]
+    found = hypotheses(face, fits, Light(), lambda done, total: None)
+    twills = [each for each in found if each.fit is small]
+    (rival,) = [each for each in found if each.fit is fits[1]]
+    assert [each.within == rival.within for each in twills] == [False, True]
+    # The weave in the end is the smaller repeat.
+    seen, choice, _, _ = chosen(face, fits, Light(), lambda done, total: None)
+    assert choice.fit.structure.shape == (3, 3)
+    assert seen is face

@@ -75,6 +75,7 @@ class Hypothesis:
         cost: mean square of what the render leaves of that mean.
         votes: crossings that count.
         kinds: of yarn that it was rendered in, likeliest first.
+        fitter: that rendered it; None where it was in other samples than yarns are fitted in.
         prior: logarithm of how much rarer such a weave is than a common one.
     """
 
@@ -85,6 +86,7 @@ class Hypothesis:
     cost: float
     votes: float
     kinds: tuple[str, ...]
+    fitter: YarnFitter | None = None
     prior: float = 0.0
 
     @property
@@ -109,6 +111,8 @@ def chosen(
     found = hypotheses(face, fits, light, report)
     scores = likelihoods(found)
     best = found[int(np.argmax(scores))]
+    # As it is on its own repeat, which comes before larger ones.
+    best = next(each for each in found if each.fit is best.fit)
     shares = np.exp((scores - scores.max()) / _TEMPER)
     # Two places or grids of one weave are no rivals.
     same = np.array([each.fit.name == best.fit.name != "" or each is best for each in found])
@@ -118,6 +122,8 @@ def chosen(
     ]
     rivals = [name for name in dict.fromkeys(likeliest) if name not in ("", best.fit.name)]
     choice = replace(best.choice, confidence=confidence, rivals=tuple(rivals[:_MAX_RIVALS]))
+    if best.fitter is not None:
+        return best.seen, choice, best.fitter, best.start
     return best.seen, choice, *begun(best.seen, choice, light)
 
 
@@ -155,6 +161,24 @@ def hypotheses(face: Seen, fits: list[WeaveFit], light: Light, report: Report) -
     for number, fit in enumerate(tried):
         found += _with_groups(face, fit, light, votes)
         report(number + 1, len(tried))
+    return found + _on_larger_repeats(face, tried, light, votes)
+
+
+def _on_larger_repeats(face: Seen, tried: list[WeaveFit], light: Light, votes: float) -> list[Hypothesis]:
+    """Weaves rendered on the repeats of others that are multiples of their own.
+
+    Plies repeat too, by chance in about a multiple of one weave and not of another: what a repeat of a weave
+    explains of them any weave explains that fits it.
+    """
+    sizes = dict.fromkeys(fit.structure.shape for fit in tried)
+    found = []
+    for fit in tried:
+        picks, ends = fit.structure.shape
+        for size in sizes:
+            if size != (picks, ends) and size[0] % picks == 0 and size[1] % ends == 0:
+                larger = replace(fit, structure=np.tile(fit.structure, (size[0] // picks, size[1] // ends)))
+                on_larger = _rendered(face, choice_of(face, larger), light, votes)
+                found.append(replace(on_larger, choice=choice_of(face, fit), fitter=None))
     return found
 
 
@@ -228,7 +252,9 @@ def _rendered(
     within = fitter.within * repeats / (repeats - 1) if repeats > _MIN_REPEATS else np.inf
     is_rare = times is not None and max(times) > _FIRST_LIMIT
     likeliest = tuple(each.yarns.kind for each in starts)
-    return Hypothesis(seen, choice, start, within, start.cost, votes, likeliest, _RARE if is_rare else 0.0)
+    prior = _RARE if is_rare else 0.0
+    kept = fitter if samples is None else None
+    return Hypothesis(seen, choice, start, within, start.cost, votes, likeliest, kept, prior)
 
 
 def begun(seen: Seen, choice: WeaveChoice, light: Light) -> tuple[YarnFitter, Fit]:
