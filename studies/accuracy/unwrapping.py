@@ -31,13 +31,13 @@ from studies.instruments.processes import in_own_process
 SHIRT = Path("meshes") / "unisex_shirt.usd"
 
 
-def shapes(triangles: int) -> list[dict[str, Any]]:
-    """A row for each mesh."""
+def shapes(triangles: int, halvings: int) -> list[dict[str, Any]]:
+    """A row for each mesh; edges of the shirt are halved up to that many times."""
     parts = {name: make(triangles) for name, make in SHAPES.items()}
     data = os.environ.get("LOOMLIGHT_DATA")
     if data is not None:
         (part,) = read_parts(Path(data) / SHIRT)
-        for times in range(3):
+        for times in range(halvings + 1):
             parts[f"shirt, refined {times} times" if times else "shirt"] = part
             part = replace(part, mesh=refined(part.mesh))
     return [_row(name, part) for name, part in parts.items()]
@@ -81,13 +81,14 @@ def cost(size: int) -> dict[str, float]:
 @dataclass(frozen=True)
 class Unwrapping(Settings):
     triangles: int = setting(10_000, "Of each shape.", low=100)
+    halvings: int = setting(2, "Times that the edges of the shirt are halved.", low=0, high=4)
     sizes: str = setting("10000,100000,1000000", "Triangles of the skirts that are timed.", metavar="N,…")
 
 
 def measure(settings: Unwrapping, run: Run) -> Found:
     """The figures of all meshes and sizes."""
     sizes = listed_numbers("sizes", settings.sizes)
-    return Found({"shapes": shapes(settings.triangles), "costs": costs(sizes)})
+    return Found({"shapes": shapes(settings.triangles, settings.halvings), "costs": costs(sizes)})
 
 
 def tables(figures: Figures) -> list[Table]:
@@ -111,5 +112,5 @@ STUDY = Study(
     measure,
     tables,
     stands_on=("mesh",),
-    small={"triangles": 500, "sizes": "500"},
+    small={"triangles": 500, "halvings": 0, "sizes": "500"},
 )

@@ -30,12 +30,11 @@ from studies.instruments.timing import timed
 if TYPE_CHECKING:
     from loomlight.fabric import Fabric
 
-MAX_TIMES, TURNS, SIDE = 1.3, 7, 256
+MAX_TIMES, TURNS = 1.3, 7
 # Ends, picks, shafts and colours.
 LARGEST = {"scarf": (641, 8208, 24, 6), "cloth": (4096, 16384, 32, 8), "square": (16384, 16384, 32, 8)}
 # Crossings that `weave info` and `weave show` take and pictures do not.
 _RENDERED = 1 << 26
-_DRAPE = ("--size", f"{SIDE}x{SIDE}", "--spp", 16)
 TITLES = {
     "threads": "Costs by a figured draft's sides",
     "fabrics": "Sheets by the number of fabrics",
@@ -61,10 +60,16 @@ def threads(folder: Path, settings: Growth) -> Figures:
         found[f"{side} × {side}"] = {
             "start": cost_of([sys.executable, "-c", _READ, str(picture)]),
             "bake of lobes": cost_of([sys.executable, "-c", _BAKE, str(picture), "lobes"]),
-            "point": _warm(loomlight("render", picture, "--model", "point", *_DRAPE, "-o", folder / "a.png")),
-            "lobes": _warm(loomlight("render", picture, "--model", "lobes", *_DRAPE, "-o", folder / "a.png")),
         }
+        for model in ("point", "lobes"):
+            found[f"{side} × {side}"][model] = _warm(_drape(picture, model, folder, settings))
     return found
+
+
+def _drape(source: Path, model: str, folder: Path, settings: Growth) -> list[str]:
+    """The command of a picture of a drape."""
+    size = f"{settings.side}x{settings.side}"
+    return loomlight("render", source, "--model", model, "--size", size, "--spp", 16, "-o", folder / "a.png")
 
 
 def fabrics(folder: Path, settings: Growth) -> Figures:
@@ -131,7 +136,7 @@ def drape(folder: Path, settings: Growth) -> Figures:
     choose_variant()
     figured_draft(folder / "huge.png", 4096)
     large = load_fabric(folder / "huge.png")
-    first, second = _picture_of(large), _picture_of(_plain_like(large))
+    first, second = _picture_of(large, settings.side), _picture_of(_plain_like(large), settings.side)
     first(), second()
     pairs = [(first(), second()) for _ in range(TURNS)]
     return {
@@ -141,11 +146,11 @@ def drape(folder: Path, settings: Growth) -> Figures:
     }
 
 
-def _picture_of(fabric: Fabric) -> Callable[[], float]:
+def _picture_of(fabric: Fabric, side: int) -> Callable[[], float]:
     """A function that renders a drape of a fabric by `point` and returns the seconds that this took."""
     from loomlight.mitsuba import build_scene, material_bsdf, render
 
-    shown = build_scene("drape", material_bsdf(fabric, "point"), size=(SIDE, SIDE))
+    shown = build_scene("drape", material_bsdf(fabric, "point"), size=(side, side))
     return lambda: timed(lambda: render(shown.scene, integrator=shown.integrator, spp=16))[1]
 
 
@@ -176,7 +181,7 @@ def steps(folder: Path, settings: Growth) -> Figures:
         }
         if ends * picks <= _RENDERED:
             for model in ("point", "lobes"):
-                commands[model] = loomlight("render", file, "--model", model, *_DRAPE, "-o", picture)
+                commands[model] = _drape(file, model, folder, settings)
         found[name] = {"threads": f"{ends} × {picks}", "megabytes": round(file.stat().st_size / 1e6, 2)}
         for step, command in commands.items():
             found[name][step] = cost_of(command)
@@ -235,6 +240,7 @@ PARTS: dict[str, Callable[[Path, Growth], Figures]] = {
 class Growth(Settings):
     parts: str = names("size,workers", "What grows.", tuple(PARTS))
     sides: str = setting("4,64,641,4096", "Threads of figured drafts.", metavar="N,…")
+    side: int = setting(256, "Of pictures of drapes, pixels.", low=16, high=8192)
     fabrics: str = setting("1,4", "Fabrics of sheets.", metavar="N,…")
     sizes: str = setting("160x120,320x240,640x480", "Pixels.", metavar="WxH,…")
     samples: str = setting("1,8,64", "Samples a pixel.", metavar="N,…")
@@ -311,6 +317,6 @@ STUDIES = (
         measure,
         tables,
         stands_on=("lobes cost", "point cost"),
-        small={"parts": "threads", "sides": "4"},
+        small={"parts": "threads", "sides": "4", "side": 16},
     ),
 )

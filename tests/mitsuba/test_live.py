@@ -21,6 +21,7 @@ from loomlight.mitsuba.bsdf import model_bsdfs
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.pixels import samples_are_pixels
 from studies.instruments.scene_edits import SceneEdits
+from tests.helpers.fabrics import CHEAPEST
 from tests.marks import slow
 
 SHEEN = 'weave = "twill 2/1"\n[sheen]\nstrength = 0.5\n'
@@ -50,7 +51,7 @@ slow_unless_recorded = pytest.mark.parametrize("recorded", [slow(False), True])
 )
 def test_edits_show_as_if_the_picture_were_traced_anew(model: str, recorded: bool) -> None:
     cloth = fabric_from_text(SHEEN)
-    shown = build_scene("flat", material_bsdf(cloth, model), **SHOWN)
+    shown = build_scene("flat", material_bsdf(cloth, model, **CHEAPEST.get(model, {})), **SHOWN)
     live = LivePicture(shown.scene, integrator=shown.integrator, records=recorded)
     edits = SceneEdits(shown.scene)
     before = live.take(1)
