@@ -2,8 +2,9 @@
 
 The cushion of the examples, seen from its front so that a pixel is a texel of the textures (1080 rows and 26°
 of view are cut to a square). Mitsuba shows `lobes`; three.js, Babylon.js, Filament and PlayCanvas show what
-their own loaders make of the files in Chromium, USD as UsdPreviewSurface. Of an even sky no engine's filter
-of surroundings can be wrong, so that the light is the same for all.
+their own loaders make of the files in Chromium, USD as UsdPreviewSurface; Godot, where it is asked for, shows
+the density of its pack that is for the distance. Of an even sky no engine's filter of surroundings can be
+wrong, so that the light is the same for all.
 
 Cards of one material, seen from straight above, say what is an engine's own: how bright it shows them by the
 sky and by the sun, over the formulas of glTF.
@@ -12,6 +13,7 @@ sky and by the sun, over the formulas of glTF.
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Collection
 from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
@@ -27,6 +29,7 @@ from loomlight.core.picture_settings import GarmentSettings
 from loomlight.core.settings import Settings, setting
 from loomlight.evaluation.metrics import flip_mean
 from loomlight.evaluation.table import Table
+from loomlight.exporters.engines import FAR_METRES, write_godot
 from loomlight.exporters.fit import TEXEL_FIELDS, FittedMaterial
 from loomlight.exporters.garment import clothed_garment
 from loomlight.exporters.garment_gltf import garment_glb, textures_of
@@ -39,30 +42,33 @@ from loomlight.mesh.reading import read_mesh
 from loomlight.mitsuba import choose_variant, material_bsdf, render, to_shape, uv_size
 from studies.harness.study import EXAMPLES, Figures, Found, Run, Study, example, listed, names, on_display
 from studies.instruments.engine_page import ENGINES, EnginePage, Light, engine_page, missing
+from studies.instruments.godot import Job, drawn_by_godot, godot
 from studies.instruments.sheet import Row, Tile, contact_sheet
 
 FABRICS = ("denim", "linen", "silk-satin", "wool-houndstooth", "tweed", "organza")
 # From the camera to the front of the cushion, metres.
 DISTANCES = {"30 cm": 0.3, "1 m": 1.0, "2 m": 2.0}
 _MESH, _FRONT = EXAMPLES / "cushion.obj", 0.09
-_ROWS, _DEGREES, _SECONDS = 1080, 26.0, 120.0
+_ROWS, _DEGREES, _SECONDS, _GODOT_SECONDS = 1080, 26.0, 120.0, 900.0
 # Radiance of the sky, irradiance across the rays of the sun, and where it stands.
 _SKY, _SUN = 0.25, float(np.pi)
 _TO_SUN = (-0.4466, 0.4963, 0.7444)
 LIGHTS = {"sun": Light(_SKY, _SUN, _TO_SUN), "sky": Light(_SKY)}
 # What is opened in an engine: the file, by its format.
 FILES = {"glTF": "cloth.glb", "USD": "cloth.usdz"}
-PROGRAMS = {
+PAGES = {
     **{f"glTF in {engine}": (engine, FILES["glTF"]) for engine in ENGINES},
     "USD in three.js": ("three.js", FILES["USD"]),
 }
+PACK, _PACK_FOLDER = "pack in Godot", "pack"
+PROGRAMS = (*PAGES, PACK)
 
 
 @dataclass(frozen=True)
 class OpenedExports(Settings):
     fabrics: str = names(",".join(FABRICS), "Example fabrics.")
     distances: str = names(",".join(DISTANCES), "From the camera to the cloth.", tuple(DISTANCES))
-    programs: str = names(",".join(PROGRAMS), "What opens what.", tuple(PROGRAMS))
+    programs: str = names(",".join(PAGES), "What opens what.", PROGRAMS)
     light: str = names("sun", "A sun and an even sky, or the sky alone.", tuple(LIGHTS))
     cards: bool = setting(True, "Also compares cards of one material with glTF's formulas.")
     side: int = setting(256, "Pixels of a picture.", low=8)
@@ -71,10 +77,13 @@ class OpenedExports(Settings):
 
 def measure(settings: OpenedExports, run: Run) -> Found:
     """FLIP, the difference of mean colours and the ratio of means, by fabric, distance and program."""
-    programs = {name: PROGRAMS[name] for name in listed(settings.programs)}
+    asked = listed(settings.programs)
+    programs = {name: PAGES[name] for name in asked if name in PAGES}
     for engine, _ in programs.values():
         if missing(engine):
             raise InputError(f"accuracy/opened_exports draws with {engine}, and {missing(engine)}.")
+    if PACK in asked and godot() is None:
+        raise InputError("accuracy/opened_exports draws with Godot 4, and no program `godot` is installed.")
     choose_variant(None)
     fabrics, distances = listed(settings.fabrics), listed(settings.distances)
     truths: dict[str, NDArray[np.float32]] = {}
@@ -86,8 +95,12 @@ def measure(settings: OpenedExports, run: Run) -> Found:
             fabric, place = load_fabric(example(name)), f"{name}, {label}"
             truths[place] = _by_mitsuba(fabric, DISTANCES[label], settings)
             _export(fabric, fitted(fabric, "lobes", DISTANCES[label]), root / place)
+            if PACK in asked:
+                far = DISTANCES[label] if DISTANCES[label] >= FAR_METRES else None
+                write_godot(root / place / _PACK_FOLDER, fabric, "lobes", far)
             sizes |= {
-                f"{place}/{file}": (root / place / file).stat().st_size / 1e6 for file in FILES.values()
+                f"{place}/{file.name}": sum(each.stat().st_size for each in (file, *file.rglob("*"))) / 1e6
+                for file in (root / place).iterdir()
             }
             run.report(len(truths), 2 * len(fabrics) * len(distances))
         cards = _write_cards(root) if settings.cards else {}
@@ -102,19 +115,22 @@ def measure(settings: OpenedExports, run: Run) -> Found:
                     if of_program == engine:
                         distance = DISTANCES[place.partition(", ")[2]]
                         drawn[program, place] = _by_engine(page, f"{place}/{file}", distance, settings)
+        if PACK in asked:
+            drawn |= {(PACK, place): picture for place, picture in _by_godot(root, truths, settings).items()}
     # 3. How far they are apart.
     rows, tiles = [], []
     for place, truth in truths.items():
         name, _, label = place.partition(", ")
         row = [Tile(on_display(truth))]
-        for program, (_, file) in programs.items():
+        for program in asked:
             picture = drawn[program, place]
             found = _errors(picture, truth)
             said = {"fabric": name, "distance": label, "program": program}
+            file = _PACK_FOLDER if program == PACK else programs[program][1]
             rows.append(said | {"megabytes": sizes[f"{place}/{file}"]} | found)
             row.append(Tile(on_display(picture), f"FLIP {found['flip']:.3f}, × {found['brightness']:.2f}"))
         tiles.append(Row(place, row))
-    sheet = contact_sheet("Exports in engines", ["loomlight render", *programs], tiles)
+    sheet = contact_sheet("Exports in engines", ["loomlight render", *asked], tiles)
     return Found({"pictures": rows, "cards": shown}, sheet)
 
 
@@ -158,6 +174,20 @@ def _by_engine(page: EnginePage, file: str, distance: float, settings: OpenedExp
     light = LIGHTS[settings.light]
     _, picture = page.draw(file, eye, degrees=degrees, side=settings.side, light=light)
     return srgb_to_linear(picture / 255).astype(np.float32)
+
+
+def _by_godot(root: Path, places: Collection[str], settings: OpenedExports) -> dict[str, NDArray[np.float32]]:
+    """Pictures of packs, each of the density that is for its distance."""
+    metres = uv_size(read_mesh(_MESH))[0] / 1000
+    found = {}
+    for place in places:
+        folder, distance = root / place / _PACK_FOLDER, DISTANCES[place.partition(", ")[2]]
+        far = next(folder.glob("*_far.tres"))
+        file = far.name if distance >= FAR_METRES else far.name.replace("_far.", "_near.")
+        job = Job(file, *_view(distance, settings.side), settings.side, LIGHTS[settings.light])
+        (picture,) = drawn_by_godot(folder, _MESH, metres, [job], _GODOT_SECONDS)
+        found[place] = srgb_to_linear(picture / 255).astype(np.float32)
+    return found
 
 
 def _errors(picture: NDArray[np.float32], truth: NDArray[np.float32]) -> Figures:
