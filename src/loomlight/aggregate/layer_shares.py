@@ -45,7 +45,7 @@ _FEWEST, _RIDGE = 64, 1.0
 _STEPS = 16
 # Power of a uniform number that a sine is: views close to the normal, where people look, are the most.
 _TILT = 2 / 3
-# Pairs of directions over which rates are integrated, and the seven dimensions of the recurrence of rays:
+# Pairs of directions over which rates are integrated, and the six dimensions of the recurrence of rays:
 # powers of 1/φ₆, the root of x⁷ = x + 1 (Roberts 2018).
 _QUADRATURE = 1 << 11
 _STEP = np.array([1.1127756842787055**-power for power in range(1, 7)])
