@@ -36,7 +36,8 @@ _FILES = {
 # How kernels are compiled: quickly, or with all passes as Dr.Jit asks for them, should a library need that.
 _VARIABLE = "LOOMLIGHT_COMPILE"
 _WAYS = ("quick", "full")
-_MINIMUM_FOR_QUICK = 19  # the oldest that it was tried with
+# Versions that are known to take the options below: one that does not would end the process.
+_QUICK = range(19, 23)
 # Functions that are not to be optimised skip every pass that need not run.
 _OPTIONS = (b"loomlight", b"-force-attribute=optnone", b"-force-attribute=noinline")
 
@@ -98,14 +99,14 @@ def require_llvm() -> None:
 
 @cache
 def compile_quickly() -> bool:
-    """Leaves out passes that only make kernels faster, on Linux with LLVM 19 or newer; returns whether so.
+    """Leaves out passes that only make kernels faster, on Linux with LLVM 19 to 22; returns whether so.
 
     Dr.Jit has simplified kernels before LLVM sees them: compiling takes a third of the time, results are the
     same bit for bit, and kernels are as fast with AVX-512; with AVX2 long loops take up to a fifth longer. It
     holds for all that this process compiles from now on.
     """
     version = llvm_version()
-    if platform.system() != "Linux" or version is None or version[0] < _MINIMUM_FOR_QUICK:
+    if platform.system() != "Linux" or version is None or version[0] not in _QUICK:
         return False
     library = _loaded_library(version)
     if library is None:
