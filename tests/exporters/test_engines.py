@@ -6,10 +6,12 @@ Covers: exporters/engines.py
 from __future__ import annotations
 
 import json
+import math
 import re
 import runpy
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -23,7 +25,7 @@ from loomlight.core.colour import srgb_to_linear
 from loomlight.exporters import engines, export
 from loomlight.exporters.engines import ENGINES, power_of_two
 from loomlight.exporters.fit import FittedMaterial
-from loomlight.exporters.metal_rough import metal_rough
+from loomlight.exporters.metal_rough import ENGINES_RISE, metal_rough
 from loomlight.exporters.texels import TextureSize
 from tests.helpers.standard_materials import plain_material
 
@@ -147,7 +149,7 @@ def test_colours_are_srgb_with_opacity_where_there_are_holes(
     request.getfixturevalue("net")
     found = pixels(export(FABRIC, engine, tmp_path / "net") / name)
     assert found[3] in (127, 128)
-    expected = metal_rough(fit(None, None, TextureSize(1, 1, (1, 1)))).base[0, 0]
+    expected = metal_rough(fit(None, None, TextureSize(1, 1, (1, 1))), ENGINES_RISE).base[0, 0]
     if engine == "threejs":  # which has sheen and transmission apart
         expected = 0.7 * np.array([0.3, 0.35, 0.4])
     # Half a step of 8 bits.
@@ -222,8 +224,58 @@ def test_godots_materials_name_their_textures_and_sizes(tmp_path: Path) -> None:
         assert "transparency = 4" in text
         specular = float(re.search(r"metallic_specular = ([\d.]+)", text)[1])
         assert 0.16 * specular**2 == pytest.approx(
-            metal_rough(fit(None, None, TextureSize(1, 1, (1, 1)))).reflectance, abs=1e-3
+            metal_rough(fit(None, None, TextureSize(1, 1, (1, 1))), ENGINES_RISE).reflectance, abs=1e-3
         )
+
+
+@pytest.mark.usefixtures("dense")
+def test_godot_makes_smaller_copies_and_knows_normals(tmp_path: Path) -> None:
+    folder = export(FABRIC, "godot", tmp_path / "out")
+    pictures = sorted(folder.rglob("*.png"))
+    assert pictures
+    for picture in pictures:
+        text = picture.with_name(f"{picture.name}.import").read_text()
+        assert "mipmaps/generate=true" in text
+        is_normal = picture.name.endswith("_normal.png")
+        assert f"compress/normal_map={1 if is_normal else 2}\n" in text
+
+
+@pytest.mark.usefixtures("dense")
+def test_godots_highlights_are_wide_where_those_of_the_fit_are(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert not list(export(FABRIC, "godot", tmp_path / "even").rglob("*_flow.png"))
+    silk = replace(fit(None, None, TextureSize(16, 16, (1, 1))), alpha_x=np.full((16, 16), 0.6))
+    silk = replace(silk, alpha_y=np.full((16, 16), 0.15), direction=np.tile([0.0, 1.0], (16, 16, 1)))
+    monkeypatch.setattr(engines, "fit_material", lambda *given: silk)
+    folder = export(FABRIC, "godot", tmp_path / "silk")
+    flow = pixels(folder / "near" / "twill-2-1_near_flow.png") / 255
+    assert flow[:2] == pytest.approx([0.5, 1], abs=1 / 255)
+    # Godot's α along the direction is α / √(1 − 0.9 a), across it α √(1 − 0.9 a).
+    alpha = (pixels(folder / "near" / "twill-2-1_near_orm.png")[1] / 255) ** 2
+    aspect = np.sqrt(1 - 0.9 * flow[3])
+    assert [alpha / aspect, alpha * aspect] == pytest.approx([0.6, 0.15], rel=0.02)  # of 8 bits
+
+
+@pytest.mark.parametrize("specular", [0.01, 0.05, 0.2])
+@pytest.mark.parametrize("weight", [0.05, 0.3, 1.0])
+@pytest.mark.parametrize("times", [ENGINES_RISE, math.inf])
+def test_gloss_keeps_its_mean_by_the_formula_of_a_program(
+    specular: float, weight: float, times: float
+) -> None:
+    """Schlick's rise to 50 times the reflectance, at most 1, or always to 1; the rest is in the base."""
+    material = fit(None, None, TextureSize(1, 1, (1, 1)))
+    colour = replace(material, specular=np.full((1, 1, 3), specular), weight=weight, sheen=np.zeros(3))
+    found = metal_rough(colour, times)
+    cosine = (np.arange(4096) + 0.5) / 4096
+    schlick = float((2 * cosine * (1 - cosine) ** 5).mean())
+    grazing = 1 if math.isinf(times) else min(times * found.reflectance, 1)
+    rise = grazing - found.reflectance
+    added = float((found.base - colour.base * (1 - colour.transmission)[..., None]).max())
+    expected = weight * (specular + (1 - specular) * schlick)
+    # Where all is reflected at grazing angles, the mean is that of the rise alone at least.
+    least = schlick if math.isinf(times) else 0.0
+    assert found.reflectance + rise * schlick + added == pytest.approx(max(expected, least), rel=1e-3)
 
 
 @pytest.mark.usefixtures("dense")

@@ -24,7 +24,7 @@ from loomlight.exporters.fit import FittedMaterial, fit_material
 from loomlight.exporters.garment import GarmentCloth, file_name
 from loomlight.exporters.gltf import eight_bits, material_textures, peak_of, png_bytes
 from loomlight.exporters.materials import PIXEL
-from loomlight.exporters.metal_rough import MetalRough, metal_rough
+from loomlight.exporters.metal_rough import ENGINES_RISE, MetalRough, metal_rough
 from loomlight.exporters.standards import DIELECTRIC
 from loomlight.exporters.texels import TextureSize, texture_grid
 from loomlight.fabric.fabric import Fabric
@@ -169,7 +169,7 @@ def _pack(fabric: Fabric, model: str, distance: float | None) -> Pack:
         fit = fit_material(fabric, baked, rounded)
         cloth = GarmentCloth(name, key, fit)
         opaque = found[0].opaque if found else cloth.is_opaque
-        found.append(Density(label, at, cloth, metal_rough(fit), opaque))
+        found.append(Density(label, at, cloth, metal_rough(fit, ENGINES_RISE), opaque))
     return Pack(name, key, (found[0], found[1]))
 
 

@@ -7,6 +7,7 @@ at normal incidence is what gives the engines' rise towards grazing the albedo o
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,9 +20,9 @@ from loomlight.exporters.standards import Numbers, sheen_albedo
 
 # Mean of Schlick's (1 − cos θ)⁵ over the hemisphere.
 _SCHLICK_MEAN = 1 / 21
-# At grazing angles Unreal, Unity's HDRP and Godot reflect as many times what they do at normal incidence, at
-# most all: what reflects less than 2 % is taken for a crevice.
-_GRAZING = 50
+# What Unreal, Unity's HDRP and Godot reflect at grazing angles over what they do at normal incidence, at most
+# all: what reflects less than 2 % is taken for a crevice.
+ENGINES_RISE = 50.0
 # Engines take half of it, that of glass, for the middle of what a surface may reflect.
 _MAX_REFLECTANCE = 0.08
 
@@ -54,14 +55,18 @@ class MetalRough:
         return eight_bits(0.5 + 0.5 * self.normal * [1, -1 if y_down else 1, 1])
 
 
-def metal_rough(material: FittedMaterial) -> MetalRough:
-    """The nearest such material."""
+def metal_rough(material: FittedMaterial, rise: float = math.inf) -> MetalRough:
+    """The nearest such material.
+
+    Args:
+        rise: what is reflected at grazing angles over the reflectance at normal incidence; at most all is.
+    """
     sheen = material.sheen * _mean_sheen(material.sheen_roughness)
     reflected = material.base * (1 - material.transmission)[..., None]
     glossy = material.weight * (material.specular.mean() * (1 - _SCHLICK_MEAN) + _SCHLICK_MEAN)
-    reflectance = _reflectance(glossy)
+    reflectance = _reflectance(glossy, rise)
     # What is more than a reflectance may say is in the base.
-    missing = max(glossy - _glossy_albedo(reflectance), 0.0)
+    missing = max(glossy - _glossy_albedo(reflectance, rise), 0.0)
     return MetalRough(
         size=material.size,
         base=np.clip(reflected * (1 - sheen.max()) + sheen + missing, 0, 1),
@@ -72,15 +77,16 @@ def metal_rough(material: FittedMaterial) -> MetalRough:
     )
 
 
-def _glossy_albedo(reflectance: float) -> float:
-    """Share of the light that engines reflect, in the mean over directions."""
-    return reflectance * (1 - _SCHLICK_MEAN) + min(_GRAZING * reflectance, 1) * _SCHLICK_MEAN
+def _glossy_albedo(reflectance: float, rise: float) -> float:
+    """Share of the light that is reflected, in the mean over directions."""
+    grazing = min(rise * reflectance, 1) if reflectance > 0 else float(math.isinf(rise))
+    return reflectance * (1 - _SCHLICK_MEAN) + grazing * _SCHLICK_MEAN
 
 
-def _reflectance(albedo: float) -> float:
-    """The reflectance at normal incidence of such a mean, or the largest."""
-    if albedo < _glossy_albedo(1 / _GRAZING):
-        return albedo / _glossy_albedo(1 / _GRAZING) / _GRAZING
+def _reflectance(albedo: float, rise: float) -> float:
+    """The reflectance at normal incidence of such a mean; the least or the largest where none has it."""
+    if albedo < _glossy_albedo(1 / rise, rise):
+        return albedo / (1 - _SCHLICK_MEAN + rise * _SCHLICK_MEAN)
     return min((albedo - _SCHLICK_MEAN) / (1 - _SCHLICK_MEAN), _MAX_REFLECTANCE)
 
 
