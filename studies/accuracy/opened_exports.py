@@ -305,19 +305,39 @@ def tables(figures: Figures) -> list[Table]:
     return found
 
 
-STUDY = Study(
-    "accuracy/opened_exports",
-    "how near what engines show of glTF and USD comes to `loomlight render`, on a cushion",
-    OpenedExports(),
-    measure,
-    tables,
-    stands_on=("lobes",),
-    small={
-        "fabrics": "denim",
-        "distances": "2 m",
-        "programs": "glTF in three.js",
-        "side": 32,
-        "spp": 4,
-        "cards": False,
-    },
+# What tests run.
+_SMALL = {
+    "fabrics": "denim",
+    "distances": "2 m",
+    "programs": "glTF in three.js",
+    "side": 32,
+    "spp": 4,
+    "cards": False,
+}
+STUDIES = (
+    Study(
+        "accuracy/opened_exports",
+        "how near what engines show of glTF and USD comes to `loomlight render`, on a cushion",
+        OpenedExports(),
+        measure,
+        tables,
+        stands_on=("lobes",),
+        small=_SMALL,
+    ),
+    Study(
+        "accuracy/opened_exports_godot",
+        "how near what Godot shows of its pack comes to `loomlight render`, on a cushion",
+        OpenedExports(
+            fabrics="denim,silk-satin,organza",
+            distances="2 m",
+            programs=PACK,
+            side=128,
+            spp=24,
+            cards=False,
+        ),
+        measure,
+        tables,
+        stands_on=("lobes",),
+        small=_SMALL,
+    ),
 )
