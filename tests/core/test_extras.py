@@ -20,7 +20,7 @@ def test_what_is_not_is_named_with_the_way_to_install_it() -> None:
     with pytest.raises(MissingDependencyError) as caught:
         import_extra("no_such_package.part", "data", "Writing data sets")
     assert str(caught.value) == (
-        "Writing data sets needs no_such_package.part: pip install 'loomlight[data]'."
+        "Writing data sets needs no_such_package: pip install 'loomlight[data]'."
     )
 
 

@@ -58,11 +58,12 @@ def import_extra(module: str, extra: str, feature: str) -> Any:
     Raises:
         MissingDependencyError: it is not installed; the sentence says how to install it.
     """
+    package = module.partition(".")[0]
     try:
         return import_module(module)
     except ModuleNotFoundError as error:
         # A module that is there but lacks one of its own is a defect of the installation, not a choice.
-        if error.name is None or error.name.partition(".")[0] != module.partition(".")[0]:
+        if error.name is None or error.name.partition(".")[0] != package:
             raise
-        command = installing(extra) if extra else f"pip install {module.partition('.')[0]}"
-        raise MissingDependencyError(f"{feature} needs {module}: {command}.") from error
+        command = installing(extra) if extra else f"pip install {package}"
+        raise MissingDependencyError(f"{feature} needs {package}: {command}.") from error
