@@ -19,9 +19,7 @@ def test_what_is_installed_is_imported() -> None:
 def test_what_is_not_is_named_with_the_way_to_install_it() -> None:
     with pytest.raises(MissingDependencyError) as caught:
         import_extra("no_such_package.part", "data", "Writing data sets")
-    assert str(caught.value) == (
-        "Writing data sets needs no_such_package: pip install 'loomlight[data]'."
-    )
+    assert str(caught.value) == ("Writing data sets needs no_such_package: pip install 'loomlight[data]'.")
 
 
 def test_a_broken_installation_is_not_taken_for_a_missing_one(
